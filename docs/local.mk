@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-EXTRA_DIST += docs/architecture.md docs/building.md docs/scene.md
+EXTRA_DIST += docs/architecture.md docs/building.md docs/features.md docs/scene.md
 EXTRA_DIST += docs/indexes.md docs/images/penetration.png
 EXTRA_DIST += docs/physics.md docs/user-law.md docs/fluid.md \
 	docs/images/crushing.png docs/images/dumbbells.png docs/images/fluid-cavity.png docs/images/fluid-electroosmosis.png \
@@ -42,8 +42,10 @@ EXTRA_DIST += docs/accuracy.md \
 	docs/images/verify-drift-hooke.svg \
 	docs/images/verify-drum-angle.svg \
 	docs/images/verify-end-of-contact.svg \
+	docs/images/verify-fluid-annulus.svg \
 	docs/images/verify-fluid-cavity.svg \
 	docs/images/verify-fluid-couette.svg \
+	docs/images/verify-fluid-diffusion.svg \
 	docs/images/verify-fluid-electroosmosis.svg \
 	docs/images/verify-fluid-fluidised-bed.svg \
 	docs/images/verify-fluid-operators.svg \
@@ -92,7 +94,7 @@ EXTRA_DIST += docs/speed-error.md
 EXTRA_DIST += docs/images/speed-error-angle.svg docs/images/speed-error-column.svg \
 	docs/images/speed-error-drum.svg \
 	docs/images/speed-error-penetration.svg
-EXTRA_DIST += docs/performance.md \
+EXTRA_DIST += docs/performance.md docs/performance-index.md docs/performance-journal.md \
 	docs/images/performance-auto.svg \
 	docs/images/performance-cells.svg \
 	docs/images/performance-continuous.svg \

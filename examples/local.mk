@@ -9,7 +9,8 @@ nobase_dist_pkgdata_DATA += \
 	$(bench)/ablation.tsv $(bench)/bench.sh $(bench)/bidisperse.yaml $(bench)/chute.yaml $(bench)/cohesion.yaml \
 	$(bench)/chute_settle.yaml $(bench)/in.bidisperse $(bench)/in.cells $(bench)/in.chute \
 	$(bench)/in.continuous $(bench)/needs.yaml $(bench)/pairs.py $(bench)/packing.sh $(bench)/packing.yaml \
-	$(bench)/performance.head.md $(bench)/tables.sh
+	$(bench)/performance.head.md $(bench)/performance-guards.md $(bench)/performance-index.head.md \
+	$(bench)/performance-journal.head.md $(bench)/tables.sh
 nobase_dist_pkgdata_SCRIPTS += \
 	$(bench)/auto.sh $(bench)/bidisperse.sh $(bench)/cells.sh $(bench)/chute.sh $(bench)/cohesion.sh $(bench)/compare.sh \
 	$(bench)/continuous.sh $(bench)/fluid.sh $(bench)/growth.sh $(bench)/guards.sh $(bench)/needs.sh $(bench)/page.sh $(bench)/penetration.sh \
@@ -17,7 +18,7 @@ nobase_dist_pkgdata_SCRIPTS += \
 
 bidisperse = examples/bidisperse
 nobase_dist_pkgdata_DATA += \
-	$(bidisperse)/README.md $(bidisperse)/bidisperse_R10.data $(bidisperse)/compare.awk \
+	$(bidisperse)/README.md $(bidisperse)/bidisperse_R10.data.gz $(bidisperse)/compare.awk \
 	$(bidisperse)/energies.awk $(bidisperse)/energies.csv $(bidisperse)/scene.yaml \
 	$(bidisperse)/step0.dump.gz $(bidisperse)/step200.dump.gz
 nobase_dist_pkgdata_SCRIPTS += $(bidisperse)/check $(bidisperse)/run.sh
@@ -71,7 +72,7 @@ nobase_dist_pkgdata_SCRIPTS += examples/shear_cell/check examples/shear_cell/run
 drum = examples/drum
 nobase_dist_pkgdata_DATA += \
 	$(drum)/README.md $(drum)/compare.awk $(drum)/lammps-1.csv $(drum)/lammps-2.csv $(drum)/lammps/data.awk \
-	$(drum)/lammps/in.drum $(drum)/particles.txt $(drum)/scene.yaml $(drum)/walls.txt $(drum)/zones.gp
+	$(drum)/lammps/in.drum $(drum)/particles.txt.gz $(drum)/scene.yaml $(drum)/walls.txt $(drum)/zones.gp
 nobase_dist_pkgdata_SCRIPTS += $(drum)/check $(drum)/lammps/run.sh $(drum)/run.sh
 
 heated_drum = examples/heated_drum
@@ -116,7 +117,7 @@ penetration = examples/penetration
 nobase_dist_pkgdata_DATA += \
 	$(penetration)/README.md $(penetration)/compare.awk $(penetration)/depth.gp $(penetration)/lammps.csv \
 	$(penetration)/lammps/data.awk $(penetration)/lammps/in.penetration $(penetration)/lammps/tsuji.awk \
-	$(penetration)/particles.txt \
+	$(penetration)/particles.txt.gz \
 	$(penetration)/scene.yaml $(penetration)/walls.txt
 nobase_dist_pkgdata_SCRIPTS += \
 	$(penetration)/check $(penetration)/lammps/run.sh $(penetration)/layouts $(penetration)/run.sh

@@ -1,13 +1,20 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
-/* The physics that a scene may ask for beside its grains: one row each, with NAME, the key of the physics'
- * section in a scene, and a summary. engine/physics.h has the contract and the recipe. A row stands for these
- * objects of src/NAME/. PARTICLES is OWN if the physics makes particles of its own, and needs all pairs of each on
+/* The physics: one row each. engine/physics.h has the contract and the recipe.
+ *
+ * PHYSICS_TABLE has those that a scene may ask for, with NAME, the key of the physics' section in a scene, and a summary. A
+ * row stands for these objects of src/NAME/. PARTICLES is OWN if the physics makes particles of its own, and needs all pairs of each on
  * its rank (newton is then off); BODIES if its own particles meet nobody; GRAINS if it makes none:
  *
  *   NAME_physics      struct physics              engine/physics.h
  *   NAME_schema       struct schema_table         the rows of its section (scene/schema.h)
  *   NAME_fields       void (struct particles *)   registers its fields (particles/fields.h)
- *   NAME_observables  struct observable_table     its observables (observe/observables_kinds.h) */
+ *   NAME_observables  struct observable_table     its observables (observe/observables_kinds.h)
+ *
+ * PHYSICS_ALWAYS has those that every run has, before all others, as the first list of pairs is theirs. A row stands for
+ *
+ *   NAME_physics      struct physics              without `create`
+ *   NAME_start        bool (struct physics_context *, struct error *)
+ *                                                 makes its own data and its options, and registers its fields */
 #ifndef SCREE_PHYSICS_TABLE_H
 #define SCREE_PHYSICS_TABLE_H
 
@@ -22,25 +29,40 @@
     ROW(bodies, bodies, BODIES, "rigid bodies of spheres, which may overlap")                                \
     ROW(fluid, fluid, OWN, "an incompressible fluid around grains and between walls (implicit SPH)")
 
-/* Physics whose sections stand in `contact` (scene/schema_contact.c); PHYSICS_TABLE: all. */
+/* Physics whose sections stand in `contact` (scene/schema_contact.c); PHYSICS_TABLE: all that a scene may ask for. */
 #define PHYSICS_CONTACT_TABLE(ROW)                                                                           \
     ROW(hard, contact.solver, GRAINS,                                                                        \
         "a solver finds the forces of contacts at the end of each step: long steps for stiff grains")
 #define PHYSICS_TABLE(ROW) PHYSICS_SECTION_TABLE(ROW) PHYSICS_CONTACT_TABLE(ROW)
 
+#define PHYSICS_ALWAYS(ROW) ROW(grains)
+
 #define PHYSICS_ENUMERATOR(name, key, whose, summary) PHYSICS_##name,
-enum physics_number { PHYSICS_TABLE(PHYSICS_ENUMERATOR) PHYSICS_COUNT };
+#define PHYSICS_ENUMERATOR_ALWAYS(name) PHYSICS_##name,
+enum physics_number {
+    PHYSICS_TABLE(PHYSICS_ENUMERATOR) PHYSICS_COUNT, /* those that a scene may ask for */
+    PHYSICS_BEFORE_ALWAYS = PHYSICS_COUNT - 1,
+    PHYSICS_ALWAYS(PHYSICS_ENUMERATOR_ALWAYS) PHYSICS_ALL
+};
 #undef PHYSICS_ENUMERATOR
+#undef PHYSICS_ENUMERATOR_ALWAYS
 
 /* Every file that uses or defines such an object declares it in this way. */
 struct particles;
+struct physics_context;
+struct error;
 #define PHYSICS_DECLARE(name, key, whose, summary)                                                           \
     extern const struct physics name##_physics;                                                              \
     extern const struct schema_table name##_schema;                                                          \
     extern const struct observable_table name##_observables;                                                 \
     void name##_fields(struct particles *particles);
+#define PHYSICS_DECLARE_ALWAYS(name)                                                                         \
+    extern const struct physics name##_physics;                                                              \
+    bool name##_start(struct physics_context *context, struct error *error);
 PHYSICS_TABLE(PHYSICS_DECLARE)
+PHYSICS_ALWAYS(PHYSICS_DECLARE_ALWAYS)
 #undef PHYSICS_DECLARE
+#undef PHYSICS_DECLARE_ALWAYS
 
 /* The particles that a physics makes. */
 enum physics_particles { PHYSICS_GRAINS, PHYSICS_OWN, PHYSICS_BODIES };
@@ -57,6 +79,6 @@ static inline bool physics_has_particles(int k) {
 }
 
 /* Doubles that the options of one physics may take in a scene. */
-enum { PHYSICS_OPTIONS_MAX = 2048 };
+enum { PHYSICS_OPTIONS_MAX = 12288 };
 
 #endif

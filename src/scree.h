@@ -5,11 +5,15 @@
  *
  * All functions are plain C. None prints or exits, except scree_main, which is a whole program. Warnings and notes
  * go to a function of the caller. Two failures still end the process, because other ranks would wait for ever:
- * exhausted memory and a failed call of MPI. The function of the caller gets their message, too.
+ * exhausted memory and a failed call of MPI. The function of the caller gets their message, too. A file that one of several
+ * ranks cannot write may leave all ranks waiting in scree_checkpoint, or at the end of a stage: the program ends such a job
+ * after ten seconds, the library does not.
  *
  * Functions with a `struct scree_error *` fill it and return false or NULL on failure; it may be NULL. "Collective"
  * means that all ranks of the communicator call the function, with the same arguments, and get the same result.
- * One thread at a time calls the functions of a simulation. Each comment says who owns an array. */
+ * One thread at a time calls the functions of a simulation. Each comment says who owns an array. Where there is no
+ * simulation (NULL), functions fail, or return 0, NULL or "". A function of the caller that the simulation calls may read
+ * and write fields, add and delete; scree_step, scree_observe, scree_checkpoint and scree_destroy refuse it. */
 #ifndef SCREE_H
 #define SCREE_H
 
@@ -133,14 +137,15 @@ void scree_changed(struct scree_simulation *simulation);
 
 /* A new particle. */
 struct scree_particle {
-    double position[3];         /* in the coordinates of the scene, inside the box */
+    double
+        position[3]; /* in the coordinates of the scene, inside the box; in two dimensions z is that of all */
     double velocity[3];         /* length/time */
     double angular_velocity[3]; /* 1/time; only with friction */
-    double radius, density;     /* density 0: that of the material */
+    double radius, density;     /* density as the scene means it (box.density); 0: that of the material */
     int material, group;        /* numbers in the scene, from 0; group 0 is "free" */
 };
 
-/* Adds particles in the next step; their ids are the next free ones, in order. Whether they overlap others is not
+/* Adds particles in the next step; their ids follow the largest id so far, in order. Whether they overlap others is not
  * looked at. The array is borrowed for the call. Collective. */
 bool scree_add(struct scree_simulation *simulation, const struct scree_particle *particles, size_t count,
                struct scree_error *error);
@@ -153,7 +158,7 @@ void scree_delete(struct scree_simulation *simulation, const int64_t *ids, size_
 bool scree_checkpoint(struct scree_simulation *simulation, const char *directory, struct scree_error *error);
 
 /* The columns of the observables: those of the scene's `observables.list`. Names and units belong to the
- * simulation. */
+ * simulation; NULL if there is no such column. */
 int scree_columns(const struct scree_simulation *simulation);
 const char *scree_column_name(const struct scree_simulation *simulation, int column);
 const char *scree_column_unit(const struct scree_simulation *simulation, int column);
@@ -165,7 +170,7 @@ bool scree_observe(struct scree_simulation *simulation, double *values, struct s
 
 /* The rows that the simulation has recorded as `observables.every` of the scene says, as in observables.csv: their
  * number, and row `row` with the time first, 1 + scree_columns() numbers that belong to the simulation until its
- * next step. */
+ * next step; NULL if there is no such row. */
 size_t scree_rows(const struct scree_simulation *simulation);
 const double *scree_row(const struct scree_simulation *simulation, size_t row);
 

@@ -23,8 +23,9 @@ const char *scree_version(void);
 struct scree_spheres {
     size_t count;           /* up to 2^27 - 1 */
     const double *position; /* count x 3, length unit; in periodic directions within [0, edge) */
-    const double *radius;   /* count, > 0, length unit */
-    double edge[3];         /* box edges; where periodic, more than 2 r + margin of every sphere */
+    const double
+        *radius;    /* count, 1e-100 to 1e100, length unit; radii and coordinates up to 1e15 x the smallest */
+    double edge[3]; /* box edges; where periodic, more than 2 r + margin of every sphere */
     bool periodic[3];
     int dimension; /* 2 (all z alike) or 3 */
 };
@@ -36,7 +37,7 @@ struct scree_pair {
 };
 
 /* Finds all pairs. `index` is a name of `scree help index.name` ("hgrid" is good for any sizes); `margin` >=
- * 0 is added to the sum of the radii; `threads` <= 0: as many as OpenMP offers. On success *pairs is an array
+ * 0 is added to the sum of the radii; `threads` <= 0: as many as OpenMP offers, else up to 1024. On success *pairs is an array
  * of *found entries, to be released by scree_free; each pair stands once, in no particular order. Returns
  * false where the index cannot serve or an argument is out of range, with the reason in `why` (`room` bytes,
  * may be NULL). May be called from several threads at once, on the caller's own data. */

@@ -6,6 +6,7 @@
 #include "core/memory.h"
 #include "core/random.h"
 #include "pairs/pairlist.h"
+#include "pairs/classes_choose.h"
 
 #include <setjmp.h>
 #include <stdarg.h>

@@ -3,6 +3,8 @@
 #include "fluid_cloud.h"
 #include "core/memory.h"
 #include "core/random.h"
+#include "pairs/classes_choose.h"
+#include "fluid/body.h"
 #include <math.h>
 #include <omp.h>
 #include <setjmp.h>
@@ -179,4 +181,30 @@ struct fluid_cloud_errors fluid_cloud_errors_of(struct fluid_cloud *c, int opera
     weights_free(&w);
     fluid_cloud_free(c);
     return (struct fluid_cloud_errors){sqrt(gap[0] / size[0]), sqrt(gap[1] / size[1])};
+}
+
+size_t fluid_cloud_plane(struct fluid_cloud *c, double height, uint8_t **kinds, int64_t **bodies) {
+    fluid_cloud_make(c, 3, 10, 2.2, 0, 2);
+    size_t n = c->particles->owned, fluid = 0, at = 0;
+    uint8_t *kind = memory_allocate(n, 1, "test");
+    int64_t *body = memory_allocate(n, sizeof *body, "test");
+    uint32_t *order = memory_allocate(n, sizeof *order, "test");
+    for (int pass = 0; pass < 2; pass++)
+        for (size_t k = 0; k < n; k++)
+            if ((c->particles->state[k].x[2] < height || c->particles->state[k].x[2] > 0.8) == (pass == 1))
+                order[at++] = (uint32_t)k;
+    particles_reorder(c->particles, order);
+    for (size_t k = 0; k < n; k++) {
+        bool outside = c->particles->state[k].x[2] < height || c->particles->state[k].x[2] > 0.8;
+        kind[k] = outside ? KIND_BOUNDARY : KIND_FLUID;
+        fluid += !outside;
+        body[k] = body_of_wall(0);
+    }
+    fluid_cloud_pair(c);
+    c->input.kind = kind;
+    c->input.end = fluid;
+    memory_free(order);
+    *kinds = kind;
+    *bodies = body;
+    return fluid;
 }

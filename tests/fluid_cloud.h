@@ -28,6 +28,10 @@ void fluid_cloud_make(struct fluid_cloud *cloud, int dimension, int side, double
                       int threads);
 void fluid_cloud_make_on(struct fluid_cloud *cloud, enum fluid_arrangement arrangement, int dimension,
                          int side, double reach, double chi, int threads);
+
+/* A cloud of 10^3 with a plane across z: particles below `height`, and above z = 0.8, where nothing looks, are boundary particles of
+ * wall 0, at the end. Returns how many are fluid. The caller frees kinds and bodies. */
+size_t fluid_cloud_plane(struct fluid_cloud *cloud, double height, uint8_t **kinds, int64_t **bodies);
 void fluid_cloud_free(struct fluid_cloud *cloud);
 
 /* Finds index, pairs and rows again, after the particles have been reordered. */

@@ -9,6 +9,7 @@
 #include "pairs_by_hand.h"
 #include "near.h"
 #include "tests/fields_by_hand.h"
+#include "tests/own_law.h"
 #include <omp.h>
 
 enum { COUNT = 200, MATERIALS = 3, LAWS = 8 * 2 * LAW_ELASTIC_COUNT };
@@ -18,19 +19,19 @@ static const char *const kernels[] = {"baseline", "x86-64-v3", "x86-64-v4"};
 
 /* Law number k of all that the loop specialises, and some with other options. */
 static inline struct law law_number(int k, int materials) {
-    static struct law_pair pair[LAW_MATERIALS_MAX][LAW_MATERIALS_MAX];
+    static struct law_pair pair[MATERIALS * MATERIALS];
     struct law_material material[MATERIALS];
     for (int a = 0; a < MATERIALS; a++)
         material[a] = (struct law_material){"m", 1.0, 1e5 * (1.0 + a), 0.2 + 0.1 * a};
-    for (int a = 0; a < MATERIALS; a++)
-        for (int b = a; b < MATERIALS; b++)
-            pair[a][b] = (struct law_pair){.restitution = 0.4 + 0.1 * a,
-                                           .friction = 0.2 + 0.1 * b,
-                                           .rolling_friction = 0.1,
-                                           .k_n = 1e3 * (1.0 + a + b),
-                                           .k_t = 4e2 * (1.0 + a),
-                                           .gamma_n = 5.0,
-                                           .gamma_t = 2.0};
+    for (int a = 0; a < materials; a++)
+        for (int b = a; b < materials; b++)
+            pair[law_place_of(materials, a, b)] = (struct law_pair){.restitution = 0.4 + 0.1 * a,
+                                                                    .friction = 0.2 + 0.1 * b,
+                                                                    .rolling_friction = 0.1,
+                                                                    .k_n = 1e3 * (1.0 + a + b),
+                                                                    .k_t = 4e2 * (1.0 + a),
+                                                                    .gamma_n = 5.0,
+                                                                    .gamma_t = 2.0};
     struct law_options o = law_options_default();
     int friction = k / (2 * LAW_ELASTIC_COUNT) % 5;
     o.normal = (enum law_normal)(k / 2 % LAW_ELASTIC_COUNT);

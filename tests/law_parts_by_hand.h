@@ -41,7 +41,10 @@ static inline struct law law_of(struct law_options options, struct law_extra ext
 }
 
 static inline struct law_surfaces surfaces_of(const struct law *law, double ri, double rj) {
-    return (struct law_surfaces){&law->pair[0][1], &law->extra[0][1], {ri, rj}, 1.0 / (1.0 / ri + 1.0 / rj)};
+    return (struct law_surfaces){&law->pair[law_place_of(law->materials, 0, 1)],
+                                 &law->extra[law_place_of(law->materials, 0, 1)],
+                                 {ri, rj},
+                                 1.0 / (1.0 / ri + 1.0 / rj)};
 }
 
 static inline struct law_grip grip_of(const struct law_options *o, const struct law_surfaces *s,

@@ -49,7 +49,7 @@ check_PROGRAMS += \
 	tests/test_law_parts \
 	tests/test_stability \
 	tests/test_timestep
-EXTRA_DIST += tests/fields_by_hand.h tests/forces_by_hand.h tests/law_parts_by_hand.h tests/laws_by_hand.h tests/near.h tests/pairs_by_hand.h tests/particles_by_hand.h
+EXTRA_DIST += tests/fields_by_hand.h tests/forces_by_hand.h tests/law_parts_by_hand.h tests/laws_by_hand.h tests/near.h tests/own_law.h tests/pairs_by_hand.h tests/particles_by_hand.h
 tests_test_force_SOURCES = tests/test_force.c
 tests_test_force_LDADD = $(INTEGRATE_LIBS) $(TEST_LIBS)
 tests_test_force_loop_SOURCES = tests/test_force_loop.c
@@ -162,6 +162,10 @@ check_PROGRAMS += tests/test_output_options
 tests_test_output_options_SOURCES = tests/test_output_options.c
 tests_test_output_options_LDADD = $(OBSERVE_LIBS) $(TEST_LIBS)
 
+check_PROGRAMS += tests/test_progress
+tests_test_progress_SOURCES = tests/test_progress.c
+tests_test_progress_LDADD = $(OBSERVE_LIBS) $(TEST_LIBS)
+
 check_PROGRAMS += tests/test_file
 tests_test_file_SOURCES = tests/test_file.c
 tests_test_file_LDADD = $(OBSERVE_LIBS) $(TEST_LIBS)
@@ -192,7 +196,8 @@ EXTRA_DIST += tests/granular/base.yaml tests/granular/dmt.dump.gz tests/granular
 	tests/granular/in.granular tests/granular/jkr.dump.gz tests/granular/laws tests/granular/mindlin_rescale.dump.gz \
 	tests/granular/rescale_force.dump.gz tests/granular/rolling_sds.dump.gz tests/granular/twisting_marshall.dump.gz \
 	tests/granular/in.sheared tests/granular/sheared.data tests/granular/sheared_0.dump.gz tests/granular/sheared_2.5.dump.gz \
-	tests/granular/twisting_sds.dump.gz
+	tests/granular/twisting_sds.dump.gz tests/granular/in.wall tests/granular/wall.data tests/granular/wall_laws \
+	tests/granular/wall_hertz.dump.gz tests/granular/wall_rolling.dump.gz tests/granular/wall_twisting.dump.gz
 
 # make tests/bench_force: times of the force loop
 EXTRA_PROGRAMS += tests/bench_force
@@ -208,6 +213,7 @@ tests_bench_triad_LDADD = $(CORE_LIBS)
 
 check_PROGRAMS += \
 	tests/test_mesh \
+	tests/test_mesh_ply \
 	tests/test_wall \
 	tests/test_wall_edge \
 	tests/test_wall_history \
@@ -219,6 +225,8 @@ check_PROGRAMS += \
 EXTRA_DIST += tests/mesh_by_hand.h tests/surface_by_hand.h tests/walls_by_hand.h
 tests_test_mesh_SOURCES = tests/test_mesh.c
 tests_test_mesh_LDADD = $(INTEGRATE_LIBS) $(TEST_LIBS)
+tests_test_mesh_ply_SOURCES = tests/test_mesh_ply.c
+tests_test_mesh_ply_LDADD = $(INTEGRATE_LIBS) $(TEST_LIBS)
 tests_test_wall_SOURCES = tests/test_wall.c
 tests_test_wall_LDADD = $(INTEGRATE_LIBS) $(TEST_LIBS)
 tests_test_wall_edge_SOURCES = tests/test_wall_edge.c
@@ -264,9 +272,43 @@ check_PROGRAMS += tests/test_bodies
 tests_test_bodies_SOURCES = tests/test_bodies.c
 tests_test_bodies_LDADD = libbodies.la $(CORE_LIBS) $(TEST_LIBS)
 
+check_PROGRAMS += tests/test_clump
+tests_test_clump_SOURCES = tests/test_clump.c
+tests_test_clump_CPPFLAGS = $(TEST_MPI_CPPFLAGS)
+tests_test_clump_LDADD = libbodies.la $(SCENE_LIBS) $(TEST_LIBS)
+
+check_PROGRAMS += tests/test_bonds_links
+tests_test_bonds_links_SOURCES = tests/test_bonds_links.c
+tests_test_bonds_links_CPPFLAGS = $(TEST_MPI_CPPFLAGS)
+tests_test_bonds_links_LDADD = libbonds.la $(SCENE_LIBS) $(TEST_LIBS)
+
+check_PROGRAMS += tests/test_drag
+tests_test_drag_SOURCES = tests/test_drag.c
+tests_test_drag_CPPFLAGS = $(TEST_MPI_CPPFLAGS)
+tests_test_drag_LDADD = libdrag.la $(SCENE_LIBS) $(TEST_LIBS)
+
+check_PROGRAMS += tests/test_board
+tests_test_board_SOURCES = tests/test_board.c
+tests_test_board_CPPFLAGS = $(TEST_MPI_CPPFLAGS)
+tests_test_board_LDADD = $(VIEW_LIBS) $(TEST_LIBS)
+
 check_PROGRAMS += tests/test_fluid_operators
 tests_test_fluid_operators_SOURCES = tests/test_fluid_operators.c tests/fluid_cloud.c tests/fluid_cloud.h
 tests_test_fluid_operators_LDADD = $(FLUID_LIBS) $(SCENE_LIBS) $(TEST_LIBS)
+
+check_PROGRAMS += tests/test_fluid_drive
+tests_test_fluid_drive_SOURCES = tests/test_fluid_drive.c
+tests_test_fluid_drive_CPPFLAGS = $(TEST_MPI_CPPFLAGS)
+tests_test_fluid_drive_LDADD = $(FLUID_LIBS) $(SCENE_LIBS) $(TEST_LIBS)
+
+check_PROGRAMS += tests/test_fluid_layer
+tests_test_fluid_layer_SOURCES = tests/test_fluid_layer.c
+tests_test_fluid_layer_LDADD = $(FLUID_LIBS) $(TEST_LIBS)
+
+check_PROGRAMS += tests/test_fluid_walls
+tests_test_fluid_walls_SOURCES = tests/test_fluid_walls.c tests/fluid_cloud.c tests/fluid_cloud.h
+tests_test_fluid_walls_CPPFLAGS = $(TEST_MPI_CPPFLAGS)
+tests_test_fluid_walls_LDADD = $(FLUID_LIBS) $(SCENE_LIBS) $(TEST_LIBS)
 
 check_PROGRAMS += tests/test_fluid_mls
 tests_test_fluid_mls_SOURCES = tests/test_fluid_mls.c tests/fluid_cloud.c tests/fluid_cloud.h

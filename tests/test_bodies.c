@@ -232,10 +232,32 @@ static void any_order(void **state) {
     }
 }
 
+/* What is left of large forces that cancel is exact down to 2^-100 of the unit. */
+static void small_forces_count(void **state) {
+    (void)state;
+    const struct sums_units units = sums_units_of(3.0, 0.2, 1e-3);
+    const double large[3] = {ldexp(1.7, units.force), 0, ldexp(-5, units.force)}, none[3] = {0};
+    const double less[3] = {-large[0], 0, -large[2]},
+                 small[3] = {ldexp(1.5, units.force - 90), ldexp(-1.25, units.force - 50),
+                             ldexp(1, units.force - 100)};
+    double sum[SUMS_ORDERED] = {0}, force[3], torque[3];
+    sums_add(sum, true, units, large, none);
+    sums_add(sum, true, units, small, none);
+    sums_add(sum, true, units, less, none);
+    sums_value(sum, true, units, force, torque);
+    assert_memory_equal(force, small, sizeof force);
+    assert_true(torque[0] == 0 && torque[1] == 0 && torque[2] == 0);
+}
+
 int main(void) {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(second_order), cmocka_unit_test(symmetric_tops_exact),
-                                       cmocka_unit_test(tumbling),     cmocka_unit_test(two_spheres),
-                                       cmocka_unit_test(formula),      cmocka_unit_test(solid),
-                                       cmocka_unit_test(axes),         cmocka_unit_test(any_order)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(second_order),
+                                       cmocka_unit_test(symmetric_tops_exact),
+                                       cmocka_unit_test(tumbling),
+                                       cmocka_unit_test(two_spheres),
+                                       cmocka_unit_test(formula),
+                                       cmocka_unit_test(solid),
+                                       cmocka_unit_test(axes),
+                                       cmocka_unit_test(any_order),
+                                       cmocka_unit_test(small_forces_count)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

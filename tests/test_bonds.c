@@ -148,10 +148,37 @@ static void dampers_take(void **state) {
     assert_true(out.tensile == 0.0); /* dampers count for no stress */
 }
 
+/* Dampers alone, as no time passes: against stretch, slip, twist and bending, each by its own coefficient. */
+static void dampers_oppose(void **state) {
+    struct bond_numbers damped = numbers;
+    struct history_row row = new_row();
+    struct bond_motion motion = still();
+    struct bond_response out;
+    (void)state;
+    damped.damping = 0.2;
+    const struct bond_section section = bond_section_of(&damped);
+    motion.dt = 0.0;
+    motion.velocity = (struct law_vector){0.3, -0.5, 0.0};
+    bond_advance(&section, &motion, &row, &out);
+    assert_near(out.force.x, -2 * 0.2 * sqrt(3.0 * 5.0 * AREA) * 0.3, 1e-14);
+    assert_near(out.force.y, 2 * 0.2 * sqrt(3.0 * 2.0 * AREA) * 0.5, 1e-14);
+    assert_true(out.moment.x == 0.0 && out.moment.y == 0.0);
+    motion.velocity = (struct law_vector){0.0, 0.0, 0.0};
+    motion.spin[1] = (struct law_vector){0.7, 0.1, 0.0};
+    bond_advance(&section, &motion, &row, &out);
+    assert_near(out.moment.x, -2 * 0.2 * sqrt(0.7 * 2.0 * 2.0 * INERTIA) * 0.7, 1e-14);
+    assert_near(out.moment.y, -2 * 0.2 * sqrt(0.7 * 5.0 * INERTIA) * 0.1, 1e-14);
+    assert_near(out.force.z, -2 * 0.2 * sqrt(3.0 * 2.0 * AREA) * 2.25 * 0.1,
+                1e-14); /* the surface of the turning end slips */
+}
+
 int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(pull_is_linear),       cmocka_unit_test(spins_shear),
-        cmocka_unit_test(spins_bend_and_twist), cmocka_unit_test(breaks_at_the_strength),
-        cmocka_unit_test(turns_with_the_pair),  cmocka_unit_test(dampers_take)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(dampers_oppose),
+                                       cmocka_unit_test(pull_is_linear),
+                                       cmocka_unit_test(spins_shear),
+                                       cmocka_unit_test(spins_bend_and_twist),
+                                       cmocka_unit_test(breaks_at_the_strength),
+                                       cmocka_unit_test(turns_with_the_pair),
+                                       cmocka_unit_test(dampers_take)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

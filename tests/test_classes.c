@@ -1,7 +1,9 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* Size classes, and kinds of particles. */
+#include "index/choose/auto.h"
 #include "particles/kinds.h"
 #include "tests/particles_by_hand.h"
+#include "pairs/classes_choose.h"
 #include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>
@@ -145,11 +147,26 @@ static void test_one_kind_costs_nothing(void **state) {
     particles_destroy(&p);
 }
 
+/* Margins so large that every cost is beyond what a number holds: one level has all sizes. */
+static void test_costs_beyond_numbers(void **state) {
+    (void)state;
+    static struct cost_scene scene = {.dimension = 3, .volume = 1e3};
+    double radii[40];
+    struct cost_plan plan;
+    for (int k = 0; k < 40; k++)
+        radii[k] = k < 30 ? 0.1 + 0.001 * k : 1.0 + 0.01 * k;
+    auto_bins(&scene, radii, 40, 1.0);
+    for (int bin = 0; bin < scene.bins; bin++)
+        scene.margin[bin] = 1e308;
+    auto_levels(&scene, 8, &plan);
+    assert_true(plan.levels >= 1 && plan.levels <= 8);
+    assert_int_equal(plan.last[plan.levels - 1], scene.bins - 1);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_classes_by_ratio_and_by_cuts),
-        cmocka_unit_test(test_classes_by_quantiles),
-        cmocka_unit_test(test_kinds_lie_together),
+        cmocka_unit_test(test_costs_beyond_numbers),   cmocka_unit_test(test_classes_by_ratio_and_by_cuts),
+        cmocka_unit_test(test_classes_by_quantiles),   cmocka_unit_test(test_kinds_lie_together),
         cmocka_unit_test(test_one_kind_costs_nothing),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

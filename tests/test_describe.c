@@ -6,7 +6,6 @@
 #include <stdint.h>
 #include <cmocka.h>
 
-#include "engine/grains.h"
 #include "engine/stages.h"
 #include "observe/describe.h"
 #include "observe/report_json.h"
@@ -38,7 +37,7 @@ static char *read_page(void) {
 /* The page with its tables made again; NULL: refused. */
 static char *described(char *page, struct error *error) {
     struct timers stages = {0};
-    stages_register_all(&stages, &grains_physics);
+    stages_register_all(&stages);
     char *text = NULL;
     size_t size;
     FILE *in = fmemopen(page, strlen(page), "r"), *out = open_memstream(&text, &size);
@@ -141,7 +140,7 @@ static void write_report(char path[]) {
     struct report report;
     report_create(&report, 2);
     struct timers stages = {0};
-    stages_register_all(&stages, &grains_physics);
+    stages_register_all(&stages);
     report.stages = stages.stages;
     for (int k = 0; k < stages.stages; k++)
         for (int setup = 0; setup < 2; setup++)

@@ -165,33 +165,6 @@ static void plane(const void *context, int64_t wall, const double x[3], struct w
     *foot = (struct weights_foot){.distance = x[2] - 0.31, .normal = {0, 0, 1}, .velocity = {0.25, 0, 0}};
 }
 
-/* A cloud with a plane: particles below it, and above z = 0.8, where nothing looks, are boundary particles, at the end. Returns how many are fluid. */
-static size_t plane_make(struct fluid_cloud *c, uint8_t **kinds, int64_t **bodies) {
-    fluid_cloud_make(c, 3, 10, 2.2, 0, 2);
-    size_t n = c->particles->owned, fluid = 0, at = 0;
-    uint8_t *kind = memory_allocate(n, 1, "test");
-    int64_t *body = memory_allocate(n, sizeof *body, "test");
-    uint32_t *order = memory_allocate(n, sizeof *order, "test");
-    for (int pass = 0; pass < 2; pass++)
-        for (size_t k = 0; k < n; k++)
-            if ((c->particles->state[k].x[2] < 0.31 || c->particles->state[k].x[2] > 0.8) == (pass == 1))
-                order[at++] = (uint32_t)k;
-    particles_reorder(c->particles, order);
-    for (size_t k = 0; k < n; k++) {
-        bool outside = c->particles->state[k].x[2] < 0.31 || c->particles->state[k].x[2] > 0.8;
-        kind[k] = outside ? KIND_BOUNDARY : KIND_FLUID;
-        fluid += !outside;
-        body[k] = body_of_wall(0);
-    }
-    fluid_cloud_pair(c);
-    c->input.kind = kind;
-    c->input.end = fluid;
-    memory_free(order);
-    *kinds = kind;
-    *bodies = body;
-    return fluid;
-}
-
 static struct operators_values velocity_of(const struct fluid_cloud *c) {
     return (struct operators_values){.value = c->particles->state[0].v,
                                      .stride = sizeof *c->particles->state / sizeof(double)};
@@ -202,7 +175,7 @@ static void test_mirror(void **state) {
     uint8_t *kind;
     int64_t *body;
     (void)state;
-    size_t fluid = plane_make(&c, &kind, &body);
+    size_t fluid = fluid_cloud_plane(&c, 0.31, &kind, &body);
     for (size_t k = 0; k < c.particles->owned; k++) {
         double v[3] = {0.25 + 3 * (c.particles->state[k].x[2] - 0.31), 0,
                        2 * (c.particles->state[k].x[2] - 0.31)};
@@ -284,7 +257,7 @@ static void test_energy(void **state) {
         weights_free(&w);
         fluid_cloud_free(&c);
     }
-    plane_make(&c, &kind, &body);
+    fluid_cloud_plane(&c, 0.31, &kind, &body);
     stir(&c);
     struct weights w = fluid_cloud_weigh(&c, KERNEL_WENDLAND_C2, WEIGHTS_CORRECTED, true);
     struct mirror_input input = {.rows = &c.input, .body = body, .spacing = c.spacing, .wall = rest};

@@ -27,12 +27,13 @@ static struct law_contact plain_contact(const struct particles *p, const struct 
                                         const double shift[3], double dt) {
     const struct particle_state *a = &p->state[i], *b = &p->state[j];
     struct law_vector d = law_add(law_add(vector_of(b->x), -1.0, vector_of(a->x)), 1.0, vector_of(shift));
-    struct law_contact in = {
-        .overlap = a->radius + b->radius - sqrt(law_dot(d, d)),
-        .mass = 1.0 / (a->inverse_mass + b->inverse_mass),
-        .radius = 1.0 / (1.0 / a->radius + 1.0 / b->radius),
-        .velocity = law_add(vector_of(b->v), -1.0, vector_of(a->v)),
-        .coefficients = law->pair[material_of(material_numbers(p), i)][material_of(material_numbers(p), j)]};
+    struct law_contact in = {.overlap = a->radius + b->radius - sqrt(law_dot(d, d)),
+                             .mass = 1.0 / (a->inverse_mass + b->inverse_mass),
+                             .radius = 1.0 / (1.0 / a->radius + 1.0 / b->radius),
+                             .velocity = law_add(vector_of(b->v), -1.0, vector_of(a->v)),
+                             .coefficients =
+                                 law->pair[law_place_of(law->materials, material_of(material_numbers(p), i),
+                                                        material_of(material_numbers(p), j))]};
     struct law_vector half = law_add(d, -0.5 * dt, in.velocity);
     in.normal = law_scale(1.0 / sqrt(law_dot(d, d)), d);
     in.half_normal = law_scale(1.0 / sqrt(law_dot(half, half)), half);
@@ -116,7 +117,7 @@ static void test_against_plain(void **state) {
     struct spring_table springs = {
         memory_allocate((size_t)COUNT * COUNT * IMAGE_CODES, sizeof *springs.value, "springs")};
     for (int k = 0; k < LAWS; k++) {
-        struct law law = law_number(k, k / 2 % 3 ? 1 : MATERIALS);
+        OWN_LAW law = law_number(k, k / 2 % 3 ? 1 : MATERIALS);
         struct particles *p = cloud(&law, COUNT, edge);
         struct rig rig;
         double(*force)[8] = memory_allocate_zero(COUNT, sizeof *force, "forces");

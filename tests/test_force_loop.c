@@ -26,7 +26,7 @@ static void test_kernel_names(void **state) {
 static void test_kernels_agree(void **state) {
     (void)state;
     for (int k = 0; k < LAWS; k++) {
-        struct law law = law_number(k, k / 2 % 3 ? 1 : MATERIALS);
+        OWN_LAW law = law_number(k, k / 2 % 3 ? 1 : MATERIALS);
         struct rig first, other;
         rig_make(&first, &law, (struct layout){2, 1.0, kernels[0]});
         rig_run(&first);
@@ -62,7 +62,7 @@ static void test_conservation(void **state) {
     (void)state;
     int conserved = 0, lost = 0;
     for (int k = 0; k < LAWS; k++) {
-        struct law law = law_number(k, MATERIALS);
+        OWN_LAW law = law_number(k, MATERIALS);
         struct rig rig;
         rig_make(&rig, &law, (struct layout){3, 1.0, NULL});
         for (int code = 1; code < IMAGE_CODES; code++)
@@ -93,7 +93,7 @@ static void test_conservation(void **state) {
 /* Springs of a pair that two threads compute are opposite to the last bit. */
 static void test_mirrored_springs(void **state) {
     (void)state;
-    struct law law = law_number(8 * LAW_ELASTIC_COUNT, 1);
+    OWN_LAW law = law_number(8 * LAW_ELASTIC_COUNT, 1);
     struct rig rig;
     rig_make(&rig, &law, (struct layout){2, 0.0, NULL});
     rig_run(&rig);
@@ -124,7 +124,7 @@ static void test_mirrored_springs(void **state) {
 static void test_contacts(void **state) {
     (void)state;
     for (int k = 0; k < LAWS; k++) {
-        struct law law = law_number(k, MATERIALS);
+        OWN_LAW law = law_number(k, MATERIALS);
         struct rig rig;
         rig_make(&rig, &law, (struct layout){3, 1.0, NULL});
         rig_run(&rig);
@@ -163,7 +163,7 @@ static struct pairlist list_of(struct pair_block *block, uint32_t *i, uint32_t *
 static void test_degenerate(void **state) {
     (void)state;
     for (int k = 0; k < LAWS; k++) {
-        struct law law = law_number(k, 1);
+        OWN_LAW law = law_number(k, 1);
         struct rig rig;
         rig_make(&rig, &law, (struct layout){1, 0.0, NULL});
         struct particle_state *s = rig.particles->state;
@@ -203,7 +203,7 @@ static size_t contacts_of(struct rig *rig) {
 static void test_fixed(void **state) {
     (void)state;
     for (int k = 0; k < 8; k += 4) {
-        struct law law = law_number(k, 1);
+        OWN_LAW law = law_number(k, 1);
         struct rig rig;
         rig_make(&rig, &law, (struct layout){1, 0.0, NULL});
         rig.context.prescribed = true;
@@ -234,7 +234,7 @@ static void test_order_of_images(void **state) {
     (void)state;
     static const int image[3][3] = {{0, 0, 0}, {-1, 0, 0}, {0, -1, 1}};
     static const int turns[6][3] = {{0, 1, 2}, {0, 2, 1}, {1, 0, 2}, {1, 2, 0}, {2, 0, 1}, {2, 1, 0}};
-    struct law law = law_number(0, 1);
+    OWN_LAW law = law_number(0, 1);
     struct box box = {.dimension = 3, .edge = {1.9, 1.7, 1.6}, .periodic = {true, true, true}};
     int different[2] = {0, 0};
     for (int ordered = 0; ordered < 2; ordered++) {
@@ -277,7 +277,7 @@ static void test_order_of_images(void **state) {
 /* As many contacts as there is room for records: what the last batch writes behind them has room, too. */
 static void test_history_padding(void **state) {
     (void)state;
-    struct law law = law_number(8 * LAW_ELASTIC_COUNT, 1);
+    OWN_LAW law = law_number(8 * LAW_ELASTIC_COUNT, 1);
     struct rig rig;
     rig_make(&rig, &law, (struct layout){1, 0.0, NULL});
     history_reserve(rig.history, 0, 1);

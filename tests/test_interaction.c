@@ -12,6 +12,7 @@
 #include <string.h>
 #include <cmocka.h>
 #include "near.h"
+#include "pairs/classes_choose.h"
 
 enum { COUNT = 700, GHOSTS = 90, SETS = 3 };
 

@@ -9,9 +9,11 @@
 
 /* Restitution of a head-on impact, by small steps. */
 static double restitution_of(const struct law *law, double speed) {
-    struct law_general in = {.extra = &law->extra[0][1], .radius = {1.0, 1.0}};
-    in.contact = (struct law_contact){
-        .mass = 1.0, .radius = 0.5, .normal = {1.0, 0.0, 0.0}, .coefficients = law->pair[0][1]};
+    struct law_general in = {.extra = &law->extra[law_place_of(law->materials, 0, 1)], .radius = {1.0, 1.0}};
+    in.contact = (struct law_contact){.mass = 1.0,
+                                      .radius = 0.5,
+                                      .normal = {1.0, 0.0, 0.0},
+                                      .coefficients = law->pair[law_place_of(law->materials, 0, 1)]};
     double overlap = 0.0, v = speed, dt = 2e-5 / pow(speed, 0.2);
     do {
         struct law_response out;
@@ -31,7 +33,7 @@ static void test_viscoelastic(void **state) {
     o.tangential = LAW_FRICTIONLESS;
     o.damping = LAW_DAMPING_VISCOELASTIC;
     struct law_extra extra = {.dissipative_time = 3e-5};
-    struct law law = law_of(o, extra);
+    OWN_LAW law = law_of(o, extra);
     double slow = 1.0 - restitution_of(&law, 1e-3), fast = 1.0 - restitution_of(&law, 0.032);
     assert_true(slow > 1e-3 && fast < 0.05);
     assert_near(fast / slow, 2.0, 0.05);
@@ -39,9 +41,11 @@ static void test_viscoelastic(void **state) {
 
 /* The work of the spring, to and fro up to `most`, is what the spring stores and what flows; at least `part` of it flows. */
 static void assert_balance(const struct law *law, double most, double part) {
-    struct law_general in = {.extra = &law->extra[0][1], .radius = {1.0, 1.0}};
-    in.contact = (struct law_contact){
-        .mass = 1.0, .radius = 0.5, .normal = {1.0, 0.0, 0.0}, .coefficients = law->pair[0][1]};
+    struct law_general in = {.extra = &law->extra[law_place_of(law->materials, 0, 1)], .radius = {1.0, 1.0}};
+    in.contact = (struct law_contact){.mass = 1.0,
+                                      .radius = 0.5,
+                                      .normal = {1.0, 0.0, 0.0},
+                                      .coefficients = law->pair[law_place_of(law->materials, 0, 1)]};
     double work = 0.0, taken = 0.0, before = 0.0, stored = 0.0, begin = 0.0;
     for (int k = 1; k < 20000; k++) {
         double overlap = most * (1.1 + sin(k * 5e-4)), last = most * (1.1 + sin((k - 1) * 5e-4));
@@ -70,7 +74,7 @@ static void test_luding(void **state) {
     o.normal = LAW_LUDING;
     o.tangential = LAW_FRICTIONLESS;
     struct law_extra extra = {.k_2 = 3e5, .k_c = 5e4};
-    struct law law = law_of(o, extra);
+    OWN_LAW law = law_of(o, extra);
     struct law_surfaces s = surfaces_of(&law, 1.0, 1.0);
     const double k1 = 1e5, k2 = 3e5, kc = 5e4, most = 0.01, rest = (1.0 - k1 / k2) * most;
     const double least = k2 * rest / (k2 + kc);
@@ -103,9 +107,10 @@ static void test_thornton(void **state) {
     o.normal = LAW_THORNTON;
     o.tangential = LAW_FRICTIONLESS;
     struct law_pair pair = {.restitution = 1.0, .extra = {.yield_pressure = 2e4}};
-    struct law law = law_for(o, soft, pair);
+    OWN_LAW law = law_for(o, soft, pair);
     struct law_surfaces s = surfaces_of(&law, 1.0, 1.0);
-    double modulus = 0.75 * law.pair[0][1].k_n, a = 0.5 * M_PI * 0.5 * 2e4 / modulus, yield = a * a / 0.5;
+    double modulus = 0.75 * law.pair[law_place_of(law.materials, 0, 1)].k_n,
+           a = 0.5 * M_PI * 0.5 * 2e4 / modulus, yield = a * a / 0.5;
     double slow =
         sqrt(16.0 / 15.0 * modulus * sqrt(0.5) * pow(yield, 2.5)); /* yields at this speed, m* = 1 */
     assert_near(restitution_of(&law, 0.9 * slow), 1.0, 1e-3);
@@ -130,9 +135,10 @@ static void test_thornton_sticky(void **state) {
     o.cohesion = LAW_COHESION_JKR;
     o.tangential = LAW_FRICTIONLESS;
     struct law_pair pair = {.restitution = 1.0, .extra = {.yield_pressure = 1.5e5, .surface_energy = 20.0}};
-    struct law law = law_for(o, soft, pair);
+    OWN_LAW law = law_for(o, soft, pair);
     struct law_surfaces s = surfaces_of(&law, 1.0, 1.0);
-    const double modulus = law_modulus(&law.pair[0][1]), gamma = 20.0, p = 1.5e5, radius = 0.5;
+    const double modulus = law_modulus(&law.pair[law_place_of(law.materials, 0, 1)]), gamma = 20.0, p = 1.5e5,
+                 radius = 0.5;
     const double roughness = 2.0 * sqrt(M_PI * gamma / modulus); /* s of law_jkr.h */
     double a_y = 0.0, step = 1e-7;
     while (modulus / M_PI * (2.0 * (a_y + step) / radius - roughness / sqrt(a_y + step)) < p)
@@ -179,9 +185,10 @@ static void test_eepa(void **state) {
                                   .adhesion_energy = 100.0,
                                   .adhesion_exponent = steep ? 4.0 : 1.5,
                                   .pull_off = 2.0};
-        struct law law = law_of(o, extra);
+        OWN_LAW law = law_of(o, extra);
         struct law_surfaces s = surfaces_of(&law, 1.0, 1.0);
-        const double k1 = law.pair[0][1].k_n * sqrt(0.5), k2 = k1 / 0.3, most = 0.01, f0 = 2.0;
+        const double k1 = law.pair[law_place_of(law.materials, 0, 1)].k_n * sqrt(0.5), k2 = k1 / 0.3,
+                     most = 0.01, f0 = 2.0;
         const double foot = 0.7 * pow(most, 1.5), patch = sqrt(2.0 * 0.5 * pow(foot, 2.0 / 3.0));
         const double pull = 1.5 * M_PI * 100.0 * patch, least = pow(foot - pull / k2, 2.0 / 3.0);
         assert_true(pull < 0.5 * k2 * foot);
@@ -204,7 +211,7 @@ static void test_eepa(void **state) {
         assert_balance(&law, 0.005, 0.1);
     }
     struct law_pair pair = {.restitution = 1.0, .extra = {.plasticity_ratio = 0.7, .adhesion_exponent = 1.5}};
-    struct law law = law_for(o, soft, pair);
+    OWN_LAW law = law_for(o, soft, pair);
     double x = pow(0.7, 2.0 / 3.0), squared = (1.0 - pow(x, 2.5) - 2.5 * 0.7 * (1.0 - x)) / 0.3;
     assert_near(restitution_of(&law, 0.5), sqrt(squared), 1e-3);
     assert_near(restitution_of(&law, 5.0), sqrt(squared), 1e-3);
@@ -255,7 +262,7 @@ static void test_stable(void **state) {
             if (!law_part_combines(&law_part_rows(LAW_PART_DAMPING, &count)[damping],
                                    law_row_get(o.normal)->traits))
                 continue;
-            struct law law = law_of(o, sticky);
+            OWN_LAW law = law_of(o, sticky);
             struct law_surfaces s = surfaces_of(&law, 1.0, 1.0);
             assert_true(grown(&law, &s, 0.95) < 10.0);
             assert_true(grown(&law, &s, 1.1) > 30.0);

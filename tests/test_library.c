@@ -80,10 +80,94 @@ static void test_nonsense_is_refused_with_a_reason(void **state) {
     assert_false(scree_pairs("hgrid", &c.spheres, 0.1, 1, &pairs, &found, NULL, 0));
 }
 
+static const char single[] =
+    "units: none\nbox: {lower: [0, 0, 0], upper: [9, 9, 9]}\nstep: {dt: 0.001, count: 5}\n"
+    "contact: {law: hooke}\nmaterials: [{name: a, density: 1}]\nmaterial_pairs: [{k_n: 1, restitution: 1}]\n"
+    "particles: {from: single, position: [4, 4, 4], radius: 1}\n"
+    "observables: {list: [{name: momentum}]}\n";
+
+/* Calls that a force must not make, and those that it may. */
+static void force_that_runs(void *context, struct scree_simulation *simulation) {
+    int *refused = context;
+    struct scree_error error;
+    struct scree_field field;
+    double values[8];
+    struct scree_simulation *same = simulation;
+    *refused += !scree_step(simulation, 1, &error) && error.status == SCREE_USER;
+    *refused += !scree_observe(simulation, values, NULL);
+    *refused += !scree_checkpoint(simulation, ".", NULL);
+    scree_destroy(&same);
+    *refused += same != NULL;
+    assert_true(scree_field(simulation, "force", &field));
+    assert_true(scree_steps_left(simulation) <= 5 && scree_columns(simulation) <= 3);
+    assert_non_null(scree_scene(simulation));
+}
+
+static void test_a_simulation_refuses_what_its_header_does_not_allow(void **state) {
+    (void)state;
+    int refused = 0;
+    struct scree_error error;
+    struct scree_options options = {.force = force_that_runs, .force_context = &refused};
+    struct scree_simulation *simulation = scree_create(NULL, single, &options, &error);
+    if (simulation == NULL)
+        fail_msg("%s", error.text);
+    assert_int_equal(refused, 4); /* in the first forces */
+    assert_true(scree_step(simulation, 2, &error));
+    assert_int_equal(refused, 12);
+    assert_int_equal(scree_step_number(simulation), 2);
+    assert_int_equal(scree_columns(simulation), 3);
+    assert_non_null(scree_column_name(simulation, 2));
+    assert_null(scree_column_name(simulation, 100000));
+    assert_null(scree_column_unit(simulation, -1));
+    assert_null(scree_field_name(simulation, 100000));
+    assert_null(scree_row(simulation, 100000));
+    assert_false(scree_field(simulation, NULL, &(struct scree_field){0}));
+    assert_false(scree_add(simulation, NULL, 1, &error));
+    assert_false(
+        scree_add(simulation, &(struct scree_particle){.position = {1, 1, NAN}, .radius = 1}, 1, &error));
+    assert_false(scree_checkpoint(simulation, NULL, &error));
+    scree_destroy(&simulation);
+    assert_null(simulation);
+    scree_destroy(&simulation);
+    scree_destroy(NULL);
+    assert_false(scree_step(simulation, 1, &error));
+    assert_int_equal(error.status, SCREE_USER);
+    assert_true(scree_particles(simulation) == 0 && scree_steps_left(simulation) == 0 &&
+                scree_columns(simulation) == 0);
+    assert_string_equal(scree_stage(simulation), "");
+    scree_changed(simulation);
+    scree_delete(simulation, NULL, 1);
+    const char *const none[] = {NULL};
+    options = (struct scree_options){.set = none, .sets = 1};
+    assert_null(scree_create(NULL, single, &options, &error));
+    assert_null(scree_create(NULL, NULL, NULL, &error));
+}
+
+static void test_lengths_beyond_numbers_are_refused(void **state) {
+    (void)state;
+    static struct cloud c;
+    struct scree_pair *pairs = NULL;
+    size_t found = 0;
+    char why[400] = "";
+    for (int k = 0; k < 4; k++) {
+        cloud_fill(&c);
+        c.spheres.periodic[0] = c.spheres.periodic[1] = false;
+        c.radius[9] = k == 0 ? 1e-320 : k == 1 ? 1e300 : c.radius[9];
+        c.position[9][k == 2 ? 0 : 2] = k < 2 ? 1 : k == 2 ? 1e300 : -1e17;
+        assert_false(scree_pairs("hgrid", &c.spheres, 0.1, 1, &pairs, &found, why, sizeof why));
+        assert_non_null(strstr(why, "sphere "));
+    }
+    assert_false(scree_pairs(NULL, &c.spheres, 0.1, 1, &pairs, &found, why, sizeof why));
+    assert_false(scree_pairs("hgrid", NULL, 0.1, 1, &pairs, &found, why, sizeof why));
+    assert_false(scree_pairs("hgrid", &c.spheres, 0.1, 1, NULL, &found, why, sizeof why));
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_every_index_finds_all_pairs),
         cmocka_unit_test(test_nonsense_is_refused_with_a_reason),
+        cmocka_unit_test(test_a_simulation_refuses_what_its_header_does_not_allow),
+        cmocka_unit_test(test_lengths_beyond_numbers_are_refused),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

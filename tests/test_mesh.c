@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* Reading of meshes: what is accepted, and what is refused with which place. */
-#include "config.h"
 #include "walls/mesh.h"
 #include "walls/wall.h"
 #include "files/numbers.h"
@@ -32,55 +31,6 @@ static bool read_text(struct mesh *mesh, const char *text, size_t size, const ch
     return good;
 }
 
-/* OBJ and PLY by assimp, with polygons; without assimp a message that names the package. */
-static void test_import(void **state) {
-    static const char obj[] = "# a square and a triangle\nv 0 0 0\nv 2 0 0\nv 2 1 0\nv 0 1 0\nv 0 0 3\n"
-                              "f 1 2 3 4\nf 1 2 5\n";
-    static const char ply[] = "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\n"
-                              "property float z\nelement face 1\nproperty list uchar int vertex_indices\n"
-                              "end_header\n0 0 0\n2 0 0\n2 1 0\n0 1 0\n4 0 1 2 3\n";
-    (void)state;
-    for (int k = 0; k < 2; k++) {
-        struct mesh mesh;
-        char why[256];
-        const char *text = k ? ply : obj; /* known by the content */
-        bool good = read_text(&mesh, text, strlen(text), "", why);
-#ifdef HAVE_ASSIMP
-        double area = 0.0;
-        if (!good)
-            fail_msg("%s", why);
-        assert_int_equal(mesh.count, k ? 2 : 3);
-        for (size_t t = 0; t < mesh.count; t++)
-            area += wall_surface_area(mesh.corner[t]);
-        assert_near(area, k ? 2.0 : 5.0, 1e-12);
-        mesh_free(&mesh);
-#else
-        assert_false(good);
-        assert_non_null(strstr(why, "libassimp-dev"));
-#endif
-    }
-#ifdef HAVE_ASSIMP
-    struct mesh mesh;
-    char why[256];
-    static const char *const wrong[][2] = {{"v 0 0 0\n", "OBJ"},
-                                           {"mtllib m\nv 0 0\n", ":2: an OBJ vertex needs three"},
-                                           {"v 0 0 0\nfacet n 0\nf 1 1 2\n", ":3: '2' is no vertex"},
-                                           {"v 0 0 0\nf -1 -2 1\n", ":2: '-2' is no vertex"},
-                                           {"v 0 0 0\nf 1x 1 1\n", ":2: '1x' is no vertex"},
-                                           {"v 0 0 0\nv 1 0 0\nf 1 2\n", ":3: an OBJ face of 2 corners"}};
-    for (size_t k = 0; k < sizeof wrong / sizeof *wrong; k++) {
-        assert_false(read_text(&mesh, wrong[k][0], strlen(wrong[k][0]), "obj", why));
-        if (strstr(why, wrong[k][1]) == NULL)
-            fail_msg("%s", why);
-    }
-    static const char slashes[] =
-        "# turned\no a\nv 0 0 0 1\nv 1 0 0\nv 0 1 0\nvn 0 0 1\nusemtl no\nf -3/1/1 -2//1 -1\n";
-    assert_true(read_text(&mesh, slashes, strlen(slashes), "", why));
-    assert_int_equal(mesh.count, 1);
-    mesh_free(&mesh);
-#endif
-}
-
 static void must_read(struct mesh *mesh, const char *text, size_t size, const char *format) {
     char why[256];
     if (!read_text(mesh, text, size, format, why))
@@ -100,6 +50,79 @@ static void must_refuse(const char *text, size_t size, const char *format, const
 
 static void refuse(const char *text, const char *format, const char *words) {
     must_refuse(text, strlen(text), format, words);
+}
+
+/* The sum of the areas of the triangles. */
+static double area_of(const struct mesh *mesh) {
+    double area = 0.0;
+    for (size_t t = 0; t < mesh->count; t++)
+        area += wall_surface_area(mesh->corner[t]);
+    return area;
+}
+
+static void test_obj(void **state) {
+    static const char text[] = "# a square and a triangle\nv 0 0 0\nv 2 0 0\nv 2 1 0\nv 0 1 0.0\nv 0 0 3\n"
+                               "f 1 2 3 4\nf 1 2 5\n";
+    static const char slashes[] =
+        "# turned\no a\nv 0.1 0 0 1\nv 1 0 0\nv 0 1 0\nvn 0 0 1\nusemtl no\nf -3/1/1 -2//1 -1\n";
+    struct mesh mesh;
+    (void)state;
+    must_read(&mesh, text, strlen(text), "");
+    assert_int_equal(mesh.count, 3);
+    assert_int_equal(mesh.line[1], 7);
+    assert_near(area_of(&mesh), 5.0, 1e-12);
+    mesh_free(&mesh);
+    must_read(&mesh, slashes, strlen(slashes), "");
+    assert_int_equal(mesh.count, 1);
+    assert_true(mesh.corner[0][0] == 0.1); /* no digit is lost */
+    mesh_free(&mesh);
+    refuse("v 0 0 0\n", "obj", "OBJ");
+    refuse("mtllib m\nv 0 0\n", "", ":2: an OBJ vertex needs three");
+    refuse("v 0 0 0\nfacet n 0\nf 1 1 2\n", "obj", ":3: '2' is no vertex");
+    refuse("v 0 0 0\nf -1 -2 1\n", "obj", ":2: '-2' is no vertex");
+    refuse("v 0 0 0\nf 1x 1 1\n", "obj", ":2: '1x' is no vertex");
+    refuse("v 0 0 0\nv 1 0 0\nf 1 2\n", "obj", ":3: an OBJ face of 2 corners");
+}
+
+/* Polygons that bend inwards, in any plane and turned either way, keep their area and their sense; one that crosses itself
+ * ends, too. */
+static void test_polygons(void **state) {
+    static const double comb[12][2] = {{0, 0}, {5, 0}, {5, 3}, {4, 3}, {4, 1}, {3, 1},
+                                       {3, 3}, {2, 3}, {2, 1}, {1, 1}, {1, 3}, {0, 3}};
+    (void)state;
+    for (int turn = 0; turn < 6; turn++) {
+        double point[12][3];
+        uint32_t corner[12];
+        double sum = 0.0;
+        struct mesh mesh = {0};
+        int axis = turn % 3;
+        for (uint32_t k = 0; k < 12; k++) {
+            point[k][axis] = 1e3 + 0.5 * comb[k][0];
+            point[k][(axis + 1) % 3] = comb[k][0];
+            point[k][(axis + 2) % 3] = comb[k][1];
+            corner[k] = turn < 3 ? k : 11 - k;
+        }
+        mesh_add_polygon(&mesh, point, corner, 12, 0);
+        assert_int_equal(mesh.count, 10);
+        assert_null(mesh.line);
+        for (size_t t = 0; t < mesh.count; t++) {
+            const double *x = mesh.corner[t];
+            int e = (axis + 1) % 3, f = (axis + 2) % 3;
+            double area = ((x[3 + e] - x[e]) * (x[6 + f] - x[f]) - (x[3 + f] - x[f]) * (x[6 + e] - x[e])) / 2;
+            assert_true(turn < 3 ? area >= 0 : area <= 0);
+            sum += area;
+        }
+        assert_near(fabs(sum), 11.0, 1e-9);
+        mesh_free(&mesh);
+    }
+    static const double crossed[5][3] = {{0, 0, 0}, {1, 1, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 0}};
+    static const uint32_t all[5] = {0, 1, 2, 3, 4}, same[5] = {0};
+    struct mesh mesh = {0};
+    mesh_add_polygon(&mesh, crossed, all, 5, 3);
+    mesh_add_polygon(&mesh, crossed, same, 5, 4);
+    assert_int_equal(mesh.count, 6);
+    assert_int_equal(mesh.line[5], 4);
+    mesh_free(&mesh);
 }
 
 /* Makes a binary STL file of n triangles; corner c of triangle k is k + c / 4. */
@@ -262,6 +285,7 @@ int main(void) {
         cmocka_unit_test(test_binary),     cmocka_unit_test(test_table),
         cmocka_unit_test(test_bad_tables), cmocka_unit_test(test_bad_ascii),
         cmocka_unit_test(test_bad_binary), cmocka_unit_test(test_no_file),
-        cmocka_unit_test(test_import),     cmocka_unit_test(test_numbers)};
+        cmocka_unit_test(test_obj),        cmocka_unit_test(test_polygons),
+        cmocka_unit_test(test_numbers)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* The laws of sizes of packings, by the Kolmogorov-Smirnov distance from their closed forms, and their
  * options. */
+#include "core/memory.h"
 #include "pack/draw.h"
 #include "pack/options_read.h"
 #include <stdio.h>
@@ -195,6 +196,30 @@ static void published_numbers(void **state) {
     assert_true(options.box == 0 && options.fraction == 0.3);
 }
 
+static double solid_of(const double *radius, size_t count) {
+    double sum = 0;
+    for (size_t k = 0; k < count; k++)
+        sum += 4 * M_PI / 3 * pow(radius[k], 3);
+    return sum;
+}
+
+/* As many spheres as come nearest to the solid volume: one more or one less is farther off. */
+static void nearest_count(void **state) {
+    (void)state;
+    struct pack_options options;
+    struct error error = {0};
+    read_good(&options, "power", "max=10", NULL);
+    for (int k = 0; k < 20; k++) {
+        size_t count;
+        double solid = 4e5 * (1 + 0.01 * k), *radius = draw_fill(&options, solid, &count, &error);
+        assert_non_null(radius);
+        double off = fabs(solid_of(radius, count) - solid);
+        assert_true(off <= fabs(solid_of(radius, count - 1) - solid));
+        assert_true(off <= fabs(solid_of(radius, count + 1) - solid));
+        memory_free(radius);
+    }
+}
+
 /* Of box, count and fraction two decide the third. */
 static void two_of_three(void **state) {
     (void)state;
@@ -247,10 +272,11 @@ static void bad_options(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(power_laws),   cmocka_unit_test(exponential_laws),
-        cmocka_unit_test(sand),         cmocka_unit_test(sieves),
-        cmocka_unit_test(bad_sieves),   cmocka_unit_test(published_numbers),
-        cmocka_unit_test(two_of_three), cmocka_unit_test(bad_options),
+        cmocka_unit_test(power_laws),    cmocka_unit_test(exponential_laws),
+        cmocka_unit_test(sand),          cmocka_unit_test(sieves),
+        cmocka_unit_test(bad_sieves),    cmocka_unit_test(published_numbers),
+        cmocka_unit_test(nearest_count), cmocka_unit_test(two_of_three),
+        cmocka_unit_test(bad_options),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -9,6 +9,7 @@
 #include "engine/plan.h"
 #include "engine/stages.h"
 
+#include <math.h>
 #include <string.h>
 
 enum { ROWS = 10, BLOCKS = 4 };
@@ -19,10 +20,12 @@ struct calls {
     int blocks;
 };
 
-static void count_rows(const struct physics_context *context, int thread, size_t first, size_t last,
-                       int size_class) {
+/* The squared speed is the number of rows. */
+static double count_rows(const struct physics_context *context, int thread, size_t first, size_t last,
+                         int size_class) {
     (void)thread, (void)size_class;
     ((struct calls *)context->self)->rows += last - first;
+    return (double)(last - first);
 }
 
 static void count_blocks(const struct physics_context *context, int thread, int block) {
@@ -52,10 +55,11 @@ static const struct physics_pass no_contacts[] = {
 static const struct physics_pass age_passes[] = {{.name = "age", .stage = PASS_MOVE, .rows = count_rows}};
 static const struct physics_pass far_passes[] = {{.name = "far", .stage = PASS_PAIRS, .block = count_blocks}};
 
-static const struct physics grains = {.interactions = 1, .passes = 2, .pass = grains_passes},
-                            untouched = {.interactions = 1, .passes = 2, .pass = no_contacts},
+static const struct physics_search one = {.interactions = 1};
+static const struct physics grains = {.search = &one, .passes = 2, .pass = grains_passes},
+                            untouched = {.search = &one, .passes = 2, .pass = no_contacts},
                             age = {.passes = 1, .pass = age_passes},
-                            far = {.interactions = 1, .passes = 1, .pass = far_passes};
+                            far = {.search = &one, .passes = 1, .pass = far_passes};
 
 /* stages.c asks for the physics of a scene; the test has its own. */
 const struct physics *physics_get(enum physics_number number) {
@@ -68,6 +72,7 @@ struct two_lists {
     struct pair_block block[BLOCKS];
     int thread_block[2];
     struct pairlist grains, far;
+    double speed[1][CLASS_MAX];
 };
 
 static void lists_fill(struct two_lists *lists) {
@@ -89,7 +94,7 @@ static void make(struct step_plan *plan, struct physics_set *set, struct timers 
     lists_fill(lists);
     memset(calls, 0, 3 * sizeof *calls);
     *timers = (struct timers){0};
-    *set = (struct physics_set){.count = 3};
+    *set = (struct physics_set){.count = 3, .speed = lists->speed};
     for (int k = 0; k < 3; k++)
         set->active[k] =
             (struct physics_active){.row = rows[k], .context = {.self = &calls[k], .threads = 1}};
@@ -117,6 +122,7 @@ static void rows_need_no_interaction(void **state) {
     plan_run(&plan.plain, &timers, NULL);
     assert_int_equal(calls[0].rows, ROWS);
     assert_int_equal(calls[1].rows, ROWS);
+    assert_true(lists.speed[0][0] == fmax(7, ROWS - 7));
     assert_int_equal(calls[0].blocks, BLOCKS);
     assert_int_equal(calls[2].blocks, BLOCKS);
     assert_int_equal(plan.moves.count, 2);
@@ -158,7 +164,7 @@ static void fields_decide_on_the_ring(void **state) {
                                                .reads = "force inverse_mass",
                                                .writes = "position velocity",
                                                .rows = count_rows}};
-    static const struct physics mover = {.interactions = 1, .passes = 1, .pass = own};
+    static const struct physics mover = {.search = &one, .passes = 1, .pass = own};
     for (size_t k = 0; k < sizeof later / sizeof later[0]; k++) {
         const struct physics other = {.passes = 1, .pass = &later[k]};
         const struct physics *rows[] = {&mover, &other};

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* What a scene becomes: option structs, defaults, derived values, the echo. */
 #include "tests/scene_by_hand.h"
+#include "tests/own_law.h"
 #include "scene/scene_text.h"
 
 #include "integrate/timestep.h"
@@ -26,7 +27,7 @@ static void fills_options(void **state) {
     assert_int_equal(scene->law.tangential, LAW_TANGENTIAL_HISTORY);
     assert_int_equal(scene->materials, 1);
     assert_true(scene->material[0].young == 70e9);
-    assert_true(scene->law_pair[0][0].friction == 0.3);
+    assert_true(scene_law_pair(scene, 0, 0)->friction == 0.3);
     assert_int_equal(scene->groups, 1);
     assert_string_equal(scene->group[0].name, "free");
     assert_int_equal(scene->sources, 1);
@@ -142,7 +143,7 @@ static void settings_take_out(void **state) {
         NULL};
     struct scene *scene = good_scene(GOOD_SCENE, set);
     assert_true(scene->step.dt == 1e-6 && scene->step.fraction == 0 && scene->step.count == 3);
-    assert_true(scene->law_pair[0][0].k_n == 1e5);
+    assert_true(scene_law_pair(scene, 0, 0)->k_n == 1e5);
     assert_int_equal(scene->walls, 1);
     assert_string_equal(scene->wall[0].name, "b");
     assert_string_equal(scene->title, "~");
@@ -212,11 +213,14 @@ static void echo_reads_back(void **state) {
         assert_memory_equal(&scene->box, &again->box, sizeof(scene->box));
         assert_memory_equal(&scene->step, &again->step, sizeof(scene->step));
         assert_memory_equal(&scene->law, &again->law, sizeof(scene->law));
-        assert_memory_equal(scene->law_pair, again->law_pair, sizeof(scene->law_pair));
+        assert_memory_equal(scene->law_pair, again->law_pair,
+                            (size_t)scene->materials * (size_t)scene->materials * sizeof(*scene->law_pair));
         assert_memory_equal(scene->material, again->material, sizeof(scene->material));
         assert_memory_equal(scene->group, again->group, sizeof(scene->group));
-        assert_memory_equal(scene->insertion, again->insertion, sizeof(scene->insertion));
-        assert_memory_equal(scene->deletion, again->deletion, sizeof(scene->deletion));
+        assert_memory_equal(scene->insertion, again->insertion,
+                            (size_t)scene->insertions * sizeof(*scene->insertion));
+        assert_memory_equal(scene->deletion, again->deletion,
+                            (size_t)scene->deletions * sizeof(*scene->deletion));
         assert_memory_equal(&scene->index, &again->index, sizeof(scene->index));
         assert_memory_equal(&scene->classes, &again->classes, sizeof(scene->classes));
         assert_memory_equal(&scene->output, &again->output, sizeof(scene->output));
@@ -242,8 +246,8 @@ static void rich_values(void **state) {
     assert_true(fabs(scene->wall[0].motion[0].rate - 20 * 2 * M_PI / 60) < 1e-14);
     assert_true(isinf(scene->wall[0].motion[1].stop) && scene->wall[0].motion[0].stop == 4);
     assert_true(scene->wall[0].motion[1].direction[2] == 1);
-    assert_true(scene->law_pair[0][1].k_n == 2e5 && scene->law_pair[1][0].k_t == 1e5);
-    assert_true(scene->law_pair[1][1].k_n == 1e5 && scene->law_pair[1][1].k_t == 1e5 * 2 / 7);
+    assert_true(scene_law_pair(scene, 0, 1)->k_n == 2e5 && scene_law_pair(scene, 1, 0)->k_t == 1e5);
+    assert_true(scene_law_pair(scene, 1, 1)->k_n == 1e5 && scene_law_pair(scene, 1, 1)->k_t == 1e5 * 2 / 7);
     assert_int_equal(scene->step.count, 1000000);
     assert_int_equal(scene->source[0].type_material[0], 1);
     assert_int_equal(scene->source[1].group, 1);
@@ -292,8 +296,8 @@ static void pairs_of_walls(void **state) {
         " {between: [glass, steel], restitution: 0.6}]",
         "particles.material=glass", NULL};
     struct scene *scene = good_scene(GOOD_SCENE, set);
-    assert_true(scene->law_pair[0][1].restitution == 0.6);
-    struct law law;
+    assert_true(scene_law_pair(scene, 0, 1)->restitution == 0.6);
+    OWN_LAW law;
     struct error error = {0};
     if (!law_prepare(&law, &scene->law, scene->materials, scene->material, scene->law_pair, &error))
         fail_msg("%s", error.text);

@@ -353,10 +353,11 @@ static const struct bad_setting settings[] = {
     {{"contact={lammps_history: true, lammps_hooke: true}"},
      "command line: contact.lammps_hooke: ",
      {"is an older name of lammps_history"}},
-    {{"contact={law: hooke, damping: coefficient, lammps_history: true}", "integrator=velocity_verlet",
-      "materials[0]={name: glass, density: 1}", "material_pairs=[{k_n: 1, gamma_n: 3, friction: 0.1}]"},
-     "command line: contact.lammps_history: ",
-     {"needs contact.end: overlap"}},
+    {{"contact={law: hooke, damping: coefficient, lammps_history: true, end: force}",
+      "integrator=velocity_verlet", "materials[0]={name: glass, density: 1}",
+      "material_pairs=[{k_n: 1, gamma_n: 3, friction: 0.1}]"},
+     "command line: contact.end: ",
+     {"goes with end: overlap"}},
     {{"contact.tangential_damping_ratio=2", "contact.tangential_damping_equal=true"},
      "command line: contact.tangential_damping_equal: ",
      {"one of the two"}},
@@ -433,7 +434,8 @@ static void bad_wholes(void **state) {
     for (int k = 0; k <= DELETIONS_MAX; k++)
         strcat(text, "  - {every: 3}\n");
     assert_null(scene_from(&error, text, NULL));
-    check_message(&error, "case/scene.yaml:8: deletions: ", (const char *const[3]){"33 entries; at most 32"},
+    check_message(&error,
+                  "case/scene.yaml:8: deletions: ", (const char *const[3]){"1001 entries; at most 1000"},
                   "too many");
     assert_null(scene_from(&error, "- a\n- b\n", NULL));
     check_message(&error, "case/scene.yaml:1: ", (const char *const[3]){"must be a section"}, "a list");

@@ -53,6 +53,21 @@ static void time_grows_with_entries(void **state) {
     }
 }
 
+/* A text of millions of values is refused where it has become too long, whatever follows. */
+static void refuses_long_texts(void **state) {
+    (void)state;
+    static const char entry[] = "  - {name: m, density: 1}\n";
+    struct error error;
+    char *text = memory_allocate(64 + 50000 * sizeof entry, 1, "test"),
+         *end = text + sprintf(text, "materials:\n");
+    for (int k = 0; k < 50000; k++)
+        end += sprintf(end, "%s", entry);
+    sprintf(end, "  - {name: [\n"); /* not YAML: is never read */
+    assert_null(scene_from(&error, text, NULL));
+    assert_non_null(strstr(error.text, ":40001: more than 200000 keys and values up to here"));
+    memory_free(text);
+}
+
 /* What a source would have to work on for minutes is refused at once, and names what is possible. */
 static void refuses_too_much(void **state) {
     (void)state;
@@ -135,6 +150,7 @@ static void tells_progress(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {cmocka_unit_test(time_grows_with_entries),
+                                       cmocka_unit_test(refuses_long_texts),
                                        cmocka_unit_test(refuses_too_much),
                                        cmocka_unit_test(takes_few_of_many), cmocka_unit_test(tells_progress)};
     return cmocka_run_group_tests(tests, NULL, NULL);

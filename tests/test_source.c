@@ -146,7 +146,7 @@ static void wraps_and_numbers(void **state) {
     static const char *const set[] = {
         "box.periodic=[true, false, false]",
         "particles={sources: [{file: test_source.txt, format: table, material: glass},"
-        " {file: test_source.txt, format: table, material: steel, offset: [0, 0, 0.5]},"
+        " {file: test_source.txt, format: table, material: steel, offset: [0, 0, 0.5], ids: new},"
         " {from: single, position: [0.9, 0.9, 0.9], radius: 0.01, material: glass, id: 77},"
         " {from: single, position: [0.8, 0.9, 0.9], radius: 0.01, material: glass}]}",
         NULL};
@@ -155,9 +155,9 @@ static void wraps_and_numbers(void **state) {
     assert_int_equal(p->owned, 6);
     assert_true(fabs(p->state[0].x[0] - 0.25) < 1e-15 && particles_images(p)[0][0] == 2);
     assert_true(fabs(p->state[1].x[0] - 0.75) < 1e-15 && particles_images(p)[1][0] == -1);
-    assert_true(p->id[0] == 3 && p->id[1] == 9 && p->id[2] == 12 && p->id[3] == 18 && p->id[4] == 77 &&
-                p->id[5] == 78);
-    assert_int_equal(census.id_max, 78);
+    assert_true(p->id[0] == 3 && p->id[1] == 9 && p->id[2] == 1 && p->id[3] == 2 && p->id[4] == 77 &&
+                p->id[5] == 4);
+    assert_int_equal(census.id_max, 77);
     assert_int_equal(census.material[1], 2);
     particles_destroy(&p);
 }
@@ -202,25 +202,62 @@ static void reads_long_lines(void **state) {
     }
 }
 
-/* Ids end at 2^62, those that follow on earlier sources too. */
+#define WITH_SINGLE(id, rest)                                                                                \
+    "particles={sources: [{from: single, position: [0.9, 0.9, 0.9], radius: 0.01, material: glass, id: " id  \
+    "}, {file: test_source.txt, format: table, material: glass" rest "}, "                                   \
+    "{from: lattice, lattice: sc, spacing: 0.1, count: 4, sizes: 0.02, material: glass, "                    \
+    "region: {shape: box, lower: [0.5, 0.5, 0.5], upper: [0.8, 0.8, 0.8]}}]}"
+
+/* Ids of files and of the scene stand; new ids leave them out, in the order of the sources. */
+static void keeps_ids(void **state) {
+    (void)state;
+    static const struct {
+        const char *set, *data;
+        int64_t id[7];
+    } cases[] = {
+        {WITH_SINGLE("9", ""), "id radius x y z\n3 .01 .1 .1 .1\n1 .01 .2 .1 .1\n", {9, 3, 1, 2, 4, 5, 6}},
+        {WITH_SINGLE("2", ""), "radius x y z\n.01 .1 .1 .1\n.01 .2 .1 .1\n", {2, 1, 3, 4, 5, 6, 7}},
+        {WITH_SINGLE("0", ""),
+         "id radius x y z\n1000 .01 .1 .1 .1\n1 .01 .2 .1 .1\n",
+         {2, 1000, 1, 3, 4, 5, 6}},
+        {WITH_SINGLE("7", ", ids: new"),
+         "id radius x y z\n7 .01 .1 .1 .1\n1 .01 .2 .1 .1\n",
+         {7, 1, 2, 3, 4, 5, 6}},
+        {WITH_SINGLE("1", ", radius_above: 0.02"),
+         "id radius x y z\n8 .03 .1 .1 .1\n2 .01 .2 .1 .1\n9 .03 .3 .1 .1\n",
+         {1, 8, 9, 2, 3, 4, 5}},
+    };
+    for (size_t c = 0; c < sizeof cases / sizeof *cases; c++) {
+        const char *const set[] = {cases[c].set, NULL};
+        struct scene_census census;
+        struct particles *p = good_source(cases[c].data, set, &census);
+        int64_t most = 0;
+        assert_int_equal(p->owned, 7);
+        for (size_t k = 0; k < 7; k++) {
+            assert_int_equal(p->id[k], cases[c].id[k]);
+            most = p->id[k] > most ? p->id[k] : most;
+        }
+        assert_int_equal(census.id_max, most);
+        particles_destroy(&p);
+    }
+}
+
+/* Ids end at 2^62. */
 static void refuses_large_ids(void **state) {
     (void)state;
-#define TWO_SOURCES(id)                                                                                      \
-    "particles={sources: [{from: single, position: [0.9, 0.9, 0.9], radius: 0.01, material: glass, id: " id  \
-    "}, {file: test_source.txt, format: table, material: glass}]}"
-    static const char *const good[] = {TWO_SOURCES("4611686018427387903"), NULL};
-    static const char *const bad_first[] = {TWO_SOURCES("9223372036854775807"), NULL};
-    static const char *const bad_second[] = {TWO_SOURCES("4611686018427387904"), NULL};
+    static const char *const good[] = {WITH_SINGLE("4611686018427387904", ""), NULL};
+    static const char *const large[] = {WITH_SINGLE("4611686018427387905", ""), NULL};
+    static const char *const twice[] = {WITH_SINGLE("7", ""), NULL};
     struct error error;
     struct particles *p = good_source("radius x y z\n.01 .1 .1 .1\n", good, NULL);
-    assert_true(p->owned == 2 && p->id[1] == (int64_t)1 << 62);
+    assert_true(p->owned == 6 && p->id[0] == (int64_t)1 << 62 && p->id[1] == 1);
     particles_destroy(&p);
-    assert_null(read_source(&error, "radius x y z\n.01 .1 .1 .1\n", bad_first, NULL));
+    assert_null(read_source(&error, "radius x y z\n.01 .1 .1 .1\n", large, NULL));
     assert_non_null(
-        strstr(error.text, "particles.sources[0].position: particle 9223372036854775807: the id"));
-    assert_null(read_source(&error, "id radius x y z\n7 .01 .1 .1 .1\n", bad_second, NULL));
-    assert_non_null(strstr(error.text, "test_source.txt:2: the id"));
-    assert_non_null(strstr(error.text, "(up to 4611686018427387904), is above 2^62"));
+        strstr(error.text, "particles.sources[0].position: particle 4611686018427387905: ids must"));
+    assert_null(read_source(&error, "id radius x y z\n7 .01 .1 .1 .1\n", twice, NULL));
+    assert_non_null(
+        strstr(error.text, "test_source.txt:2: has the id of particle 7, command line; `ids: new`"));
 }
 
 struct bad_data {
@@ -396,7 +433,8 @@ int main(void) {
         cmocka_unit_test(selects_and_maps),  cmocka_unit_test(tells_headers_from_rows),
         cmocka_unit_test(wraps_and_numbers), cmocka_unit_test(selects_where_it_wraps),
         cmocka_unit_test(keeps_what_left),   cmocka_unit_test(reads_long_lines),
-        cmocka_unit_test(refuses_large_ids), cmocka_unit_test(refuses),
-        cmocka_unit_test(refuses_types),     cmocka_unit_test(lammps_data)};
+        cmocka_unit_test(keeps_ids),         cmocka_unit_test(refuses_large_ids),
+        cmocka_unit_test(refuses),           cmocka_unit_test(refuses_types),
+        cmocka_unit_test(lammps_data)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -6,6 +6,7 @@
 #include "pairs/pairlist.h"
 #include "pairs/ring.h"
 #include "pairs/sweep.h"
+#include "pairs/classes_choose.h"
 #include <omp.h>
 #include <setjmp.h>
 #include <stdarg.h>

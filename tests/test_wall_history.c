@@ -183,7 +183,7 @@ static void test_rows(void **state) {
     (void)state;
     char file[64];
     struct world w;
-    struct wall_rows rows;
+    struct rowset rows;
     uint8_t remove_flag[300];
     slope_file(file);
     open_many(&w, file, 1);
@@ -191,27 +191,28 @@ static void test_rows(void **state) {
         world_step(&w, n % 20 == 0, NULL);
     walls_detach(w.walls, w.particles, &rows);
     assert_true(rows.count > 50);
+    struct wall_row *row = rows.row;
     size_t left = 0;
     for (int i = 0; i < 300; i++) {
         remove_flag[i] = i % 3 == 1;
         left += remove_flag[i] ? 0 : rows.start[i + 1] - rows.start[i];
     }
-    wall_rows_remove(&rows, remove_flag, 300);
+    rowset_remove(&rows, remove_flag, 300);
     particles_remove(w.particles, remove_flag);
     assert_int_equal(rows.count, left);
     for (size_t i = 0; i < w.particles->owned; i++)
         for (size_t r = rows.start[i]; r < rows.start[i + 1]; r++)
-            assert_int_equal(rows.row[r].id, w.particles->id[i]);
-    rows.row[0].wall = 7; /* of a wall and of a patch that no longer exist */
-    rows.row[1].patch = 1000000;
+            assert_int_equal(row[r].id, w.particles->id[i]);
+    row[0].wall = 7; /* of a wall and of a patch that no longer exist */
+    row[1].patch = 1000000;
     walls_build(w.walls, w.particles, &w.classes);
     walls_attach(w.walls, &rows, w.particles);
-    struct wall_rows again;
+    struct rowset again;
     walls_detach(w.walls, w.particles, &again);
     assert_int_equal(again.count, rows.count - 2);
-    assert_memory_equal(again.row + again.count - 1, rows.row + rows.count - 1, sizeof *rows.row);
-    wall_rows_free(&rows);
-    wall_rows_free(&again);
+    assert_memory_equal((struct wall_row *)again.row + again.count - 1, row + rows.count - 1, sizeof *row);
+    rowset_free(&rows);
+    rowset_free(&again);
     assert_null(rows.row);
     world_close(&w);
     remove(file);
@@ -265,12 +266,11 @@ static void test_resume(void **state) {
     (void)state;
     struct wall_options same = moving_plate(0.1, 0.7), other = moving_plate(-5.0, -3.0);
     struct world a, b, c;
-    struct law law = hand_law(LAW_HOOKE, 0.5, 0.5);
     double dt = 1e-3, t;
     struct wall_pose pose, again, changed;
-    world_open(&a, hand_box(4.0), law, &same, 1, 1);
-    world_open(&b, hand_box(4.0), law, &same, 1, 1);
-    world_open(&c, hand_box(4.0), law, &other, 1, 1);
+    world_open(&a, hand_box(4.0), hand_law(LAW_HOOKE, 0.5, 0.5), &same, 1, 1);
+    world_open(&b, hand_box(4.0), hand_law(LAW_HOOKE, 0.5, 0.5), &same, 1, 1);
+    world_open(&c, hand_box(4.0), hand_law(LAW_HOOKE, 0.5, 0.5), &other, 1, 1);
     for (int n = 0; n < 777; n++)
         walls_advance(a.walls, n * dt, dt, NULL);
     t = 777 * dt;
@@ -297,7 +297,7 @@ static void test_resume(void **state) {
     walls_advance(c.walls, t + 1e-9, dt, NULL);
     walls_pose(c.walls, 0, &pose);
     struct world d;
-    world_open(&d, hand_box(4.0), law, &other, 1, 1);
+    world_open(&d, hand_box(4.0), hand_law(LAW_HOOKE, 0.5, 0.5), &other, 1, 1);
     walls_set_pose(d.walls, 0, &pose);
     walls_advance(c.walls, t + 1e-9 + dt, dt, NULL);
     walls_advance(d.walls, t + 1e-9 + dt, dt, NULL);

@@ -259,7 +259,7 @@ static void test_drags_at_the_contact(void **state) {
     assert_int_equal(w.sums.contacts, 1);
     walls_forces(w.walls, force);
     double lever = 1.0 - 0.5 * 0.02, scale = sqrt(1.0 * 0.02);
-    double k_t = scale * w.law.pair[0][0].k_t;
+    double k_t = scale * w.law.pair[law_place_of(w.law.materials, 0, 0)].k_t;
     double speed = rate * (2.02 + lever); /* of the drum, towards -x at its lowest line */
     assert_near(force[0][0], k_t * dt * speed, 1e-4 * k_t * dt * speed);
     world_close(&w);
@@ -275,7 +275,7 @@ static void test_torques_balance(void **state) {
     double force[1][6], twist = 0.0;
     law.options.rolling = LAW_ROLLING_SPRING;
     law.history_components = 6;
-    law.pair[0][0].rolling_friction = 0.3;
+    law.pair[law_place_of(law.materials, 0, 0)].rolling_friction = 0.3;
     world_open(&w, hand_box(4.0), law, &plane, 1, 1);
     struct particle_state *s = world_add(&w, 2.3, 2.2, 0.635, 0.5, 1.0);
     double *omega = spin_of(w.particles)[0];
@@ -304,11 +304,10 @@ static void test_torques_balance(void **state) {
 static void test_displacement(void **state) {
     (void)state;
     struct wall_options wall = hand_plane(1, 1, 1, 0, 0, 1), tube = {.name = "tube", .shape = WALL_CYLINDER};
-    struct law law = hand_law(LAW_HOOKE, 0.5, 0.5);
     struct world w;
     wall.motions = 1; /* within itself */
     wall.motion[0] = (struct wall_motion){.kind = WALL_TRANSLATE, .stop = INFINITY, .velocity = {3, 4, 0}};
-    world_open(&w, hand_box(4.0), law, &wall, 1, 1);
+    world_open(&w, hand_box(4.0), hand_law(LAW_HOOKE, 0.5, 0.5), &wall, 1, 1);
     walls_advance(w.walls, 0.0, 0.1, NULL);
     assert_near(walls_displacement(w.walls), 0.0, 1e-15);
     world_close(&w);
@@ -317,12 +316,12 @@ static void test_displacement(void **state) {
     tube.motions = 1; /* about its own axis */
     tube.motion[0] =
         (struct wall_motion){.kind = WALL_ROTATE, .stop = INFINITY, .direction = {0, 0, 1}, .rate = 3.0};
-    world_open(&w, hand_box(4.0), law, &tube, 1, 1);
+    world_open(&w, hand_box(4.0), hand_law(LAW_HOOKE, 0.5, 0.5), &tube, 1, 1);
     walls_advance(w.walls, 0.0, 0.1, NULL);
     assert_near(walls_displacement(w.walls), 0.0, 1e-15);
     world_close(&w);
     tube.point[0] = 0.5; /* about another */
-    world_open(&w, hand_box(4.0), law, &tube, 1, 1);
+    world_open(&w, hand_box(4.0), hand_law(LAW_HOOKE, 0.5, 0.5), &tube, 1, 1);
     walls_advance(w.walls, 0.0, 0.1, NULL);
     assert_near(walls_displacement(w.walls), 2.0 * 0.5 * sin(0.15), 1e-15);
     world_rebuild(&w, NULL);
@@ -330,7 +329,7 @@ static void test_displacement(void **state) {
     world_close(&w);
     wall.motion[0] = (struct wall_motion){
         .kind = WALL_ROTATE, .stop = INFINITY, .direction = {0, 1, 0}, .point = {1, 1, 1}, .rate = 1.0};
-    world_open(&w, hand_box(4.0), law, &wall, 1, 1); /* a corner at x = 4: 3 away */
+    world_open(&w, hand_box(4.0), hand_law(LAW_HOOKE, 0.5, 0.5), &wall, 1, 1); /* a corner at x = 4: 3 away */
     walls_advance(w.walls, 0.0, 1e-3, NULL);
     assert_near(walls_displacement(w.walls), 3e-3, 2e-6);
     world_close(&w);
@@ -341,7 +340,6 @@ static void test_displacement_outside(void **state) {
     (void)state;
     struct wall_options wall[2] = {hand_plane(1, 1, 1, 0, 0, 1),
                                    {.name = "tube", .shape = WALL_CYLINDER, .axis = {1, 0, 0}, .radius = 3}};
-    struct law law = hand_law(LAW_HOOKE, 0.5, 0.5);
     const double lower[3] = {2, 2, 2}, upper[3] = {31, 2, 2}, here[3] = {3, 3, 3};
     for (int k = 0; k < 2; k++) {
         struct world w;
@@ -350,7 +348,7 @@ static void test_displacement_outside(void **state) {
         wall[k].motions = 1;
         wall[k].motion[0] = (struct wall_motion){
             .kind = WALL_ROTATE, .stop = INFINITY, .direction = {0, 1, 0}, .point = {1, 1, 1}, .rate = 1.0};
-        world_open(&w, hand_box(4.0), law, &wall[k], 1, 1);
+        world_open(&w, hand_box(4.0), hand_law(LAW_HOOKE, 0.5, 0.5), &wall[k], 1, 1);
         walls_advance(w.walls, 0.0, angle, NULL);
         double inside = walls_displacement(w.walls);
         walls_set_extent(w.walls, here, here); /* within the box: no change */
@@ -362,7 +360,7 @@ static void test_displacement_outside(void **state) {
     }
     wall[1].length = 8.0;
     struct world w;
-    world_open(&w, hand_box(4.0), law, &wall[1], 1, 1);
+    world_open(&w, hand_box(4.0), hand_law(LAW_HOOKE, 0.5, 0.5), &wall[1], 1, 1);
     walls_advance(w.walls, 0.0, 1e-3, NULL);
     walls_set_extent(w.walls, lower, upper);
     assert_near(walls_displacement(w.walls), 5e-3, 1e-8);
@@ -373,7 +371,6 @@ static void test_displacement_outside(void **state) {
  * point does. */
 static void test_offset(void **state) {
     (void)state;
-    struct law law = hand_law(LAW_HOOKE, 0.5, 0.5);
     for (int k = 0; k < 3; k++) {
         struct wall_options wall = hand_plane(1, 2, 3, 0, 0, 1);
         struct wall_motion shift = {.kind = WALL_TRANSLATE, .stop = INFINITY, .velocity = {0, 1, 2}};
@@ -387,7 +384,7 @@ static void test_offset(void **state) {
         wall.motions = 2;
         wall.motion[0] = k == 2 ? shift : turn;
         wall.motion[1] = k == 2 ? turn : shift;
-        world_open(&w, box, law, &wall, 1, 1);
+        world_open(&w, box, hand_law(LAW_HOOKE, 0.5, 0.5), &wall, 1, 1);
         walls_advance(w.walls, 0.0, 0.5, NULL);
         walls_offset(w.walls, 0, offset);
         assert_near(offset[0], k == 2 ? 1.0 : 0.0, 1e-14);

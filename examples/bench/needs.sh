@@ -69,7 +69,7 @@ for ((r = 0; r < ${REPEAT:-5}; r++)); do
 done
 for name in "${names[@]}"; do
     flags_of "$name"
-    "$SCREE" check "$here/needs.yaml" "${flags[@]}" >"$out/needs.txt" || exit 1
+    "$SCREE" check --all "$here/needs.yaml" "${flags[@]}" >"$out/needs.txt" || exit 1
     awk -v name="$name" -v seconds="$(awk "BEGIN { print ${best[$name,$steps]} - ${best[$name,1]} }")" -v steps="$((steps - 1))" -v n="$(report_number "$out/$name" particles)" -v contacts="$(report_number "$out/$name" contacts)" '
         /^  stored:/ { bytes = $2 }
         /^  history: [0-9]/ { history = $2 }

@@ -1,6 +1,7 @@
 #!/bin/sh
 # SPDX-License-Identifier: BSD-3-Clause
-# Writes performance.md and its pictures from the results of the benchmarks: page.sh RESULTS DOCUMENTS (called by report.sh)
+# Writes the three pages of performance and their pictures from the results of the benchmarks: page.sh RESULTS DOCUMENTS (called by
+# report.sh)
 set -eu
 here=$(cd "$(dirname "$0")" && pwd)
 results=$1
@@ -67,7 +68,7 @@ cells() {
     echo "LAMMPS's \`multi\` is the report's \`bytype\`, its \`multi/old\` the report's \`multi\`. Cells of the small spheres; a cut-off is 2.5. Published: at each R the curves"
     echo 'stand in the order multi newton off, multi newton on, bytype newton off, on, reduced ghosts; the optimum of bytype lies at twice the default, 2.5, that'
     echo 'of multi at 3.75 to 5; gains of multi newton on over bytype with reduced ghosts 7.5, 29, 161 at R = 10, 20, 40 (24 ranks).'
-    echo "scree's multi tests long runs of cells 8 or 16 at a time, so the gain over it is that over another code; both gains stand below."
+    echo "scree's multi tests long runs of cells 8 or 16 at a time. Its ratio therefore compares different codes, not different algorithms; both gains stand below."
     echo
     done_for cells-10 cells-20 cells-40 || return 0
     for R in 10 20 40; do
@@ -331,17 +332,25 @@ ablation() {
 
 {
     cat "$here/performance.head.md"
-    printf '\n## Conditions\n\n'
-    conditions
     bidisperse
-    table1
-    cells
-    continuous
-    univol
-    auto
     chute
+    table1
+    needs
+    echo
+    cat "$here/performance-guards.md"
+} >"$documents/performance.md"
+{
+    cat "$here/performance-index.head.md"
+    continuous
+    auto
+    cells
+    univol
     roofline
     growth
-    needs
+} >"$documents/performance-index.md"
+{
+    cat "$here/performance-journal.head.md"
+    printf '\n## Conditions\n\n'
+    conditions
     ablation
-} >"$documents/performance.md"
+} >"$documents/performance-journal.md"

@@ -20,7 +20,7 @@ z=0.06 v=-5 steps=200000 runs=${RUNS:-1}
 test -z "$quick" || z=-0.0445615 v=-5.201105 steps=2000 runs=${RUNS:-3}
 
 tsuji() { awk -v e="$1" -f "$case/lammps/tsuji.awk"; }
-awk -v z=$z -v vz=$v -f "$case/lammps/data.awk" "$case/particles.txt" >"$work/penetration.data"
+gzip -dc "$case/particles.txt.gz" | awk -v z=$z -v vz=$v -f "$case/lammps/data.awk" >"$work/penetration.data"
 
 # Both print the five figures of a run (bench.sh): the loop seconds are the first, the height of the ball at the end is the last
 

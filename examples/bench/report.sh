@@ -1,6 +1,6 @@
 #!/bin/sh
 # SPDX-License-Identifier: BSD-3-Clause
-# Runs the benchmarks and writes docs/performance.md with its pictures: report.sh [--quick] [--only "NAME..."] [--tables]
+# Runs the benchmarks and writes the pages docs/performance*.md with their pictures: report.sh [--quick] [--only "NAME..."] [--tables]
 #
 # --quick: the scaled-down form of those that matter most, ten minutes; without it all of them at full size: hours, 24 GiB.
 # --only:  these alone; what others printed in earlier runs is kept.
@@ -145,5 +145,5 @@ done
 "$here/page.sh" "$results" "$documents"
 mkdir -p "$kept"
 cp "$results"/*.jsonl "$kept"
-echo "report.sh: wrote $documents/performance.md" >&2
+echo "report.sh: wrote $documents/performance.md, performance-index.md and performance-journal.md" >&2
 test -z "$failed" || { echo "report.sh: failed:$failed" >&2; exit 1; }

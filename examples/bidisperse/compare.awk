@@ -1,4 +1,5 @@
 # Compares two LAMMPS dumps of the same particles, reference first: awk -f compare.awk REFERENCE OURS
+# The reference may be a sample of the particles: rows of others are then left out, with -v sample=1.
 # Prints a line: largest difference of force, torque, position and velocity vectors, relative to the largest force, the largest
 # torque, the box edge and the largest speed. Rows may come in any order; positions are compared by nearest images.
 # Of a cube that is sheared along x: -v cube=EDGE -v tilt=OFFSET -v slip=VELOCITY, of the image one edge up y.
@@ -68,6 +69,8 @@ reading && files == 1 {
 }
 reading && files == 2 {
     i = $id
+    if (!(i in known) && sample && !(i in X))
+        next
     if (!(i in known))
         fail(FILENAME ": particle " i " is unknown or there twice")
     delete known[i]

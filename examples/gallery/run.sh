@@ -27,7 +27,7 @@ for name; do
     from=$dir
     [ "$name" != shear_cell ] || from=$(ls "$dir"/checkpoint-*.h5) # frames of a sheared box cannot be drawn, the last state can
     # shellcheck disable=SC2046
-    "$SCREE" picture "$from" -o "$out/$name.png" --size 480x360 $(sed -n "s/^$name //p" "$here/pictures.txt")
+    "$SCREE" picture "$from" -o "$out/$name.png" --overwrite --size 480x360 $(sed -n "s/^$name //p" "$here/pictures.txt")
     ! command -v gnuplot >/dev/null || gnuplot -e "name='$name'; folder='$dir'; picture='$out/$name-plot.png'" "$here/plot.gp"
     echo "drawn: $out/$name.png and $out/$name-plot.png"
 done

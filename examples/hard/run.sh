@@ -136,7 +136,7 @@ case_fast() {
 }
 case_fast_known() {
     what='check foresees it'
-    "$SCREE" check "$here/fast.yaml" --set 'particles.sources[1].velocity=[45000, 0, 0]' >"$out/said" 2>&1
+    "$SCREE" check --all "$here/fast.yaml" --set 'particles.sources[1].velocity=[45000, 0, 0]' >"$out/said" 2>&1
     outcome=$(grep 'would stop' "$out/said" | head -n 1 | sed 's/^ *//')
     [ -n "$outcome" ]
 }

@@ -27,7 +27,7 @@ else
 fi
 if command -v povray >/dev/null; then
     # the bed cut open before the ball, its beads in the colours of the layers in which they lay
-    "$SCREE" picture "$out" -o "$out/penetration.png" --frame -2 --colour z@0 --bands 6 --grey steel --cut 'y<0' --view 0,6 \
+    "$SCREE" picture "$out" -o "$out/penetration.png" --overwrite --frame -2 --colour z@0 --bands 6 --grey steel --cut 'y<0' --view 0,6 \
         --size 1500x900 --bare
     echo "drawn: $out/penetration.png (the ball in its crater)"
 else

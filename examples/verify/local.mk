@@ -50,9 +50,11 @@ nobase_dist_pkgdata_DATA += \
 	examples/verify/end-of-contact/force.txt \
 	examples/verify/end-of-contact/overlap.txt \
 	examples/verify/end-of-contact/scene.yaml \
+	examples/verify/fluid-annulus/scene.yaml \
 	examples/verify/fluid-cavity/scene.yaml \
 	examples/verify/fluid-couette/scene.yaml \
 	examples/verify/fluid-cylinder/scene.yaml \
+	examples/verify/fluid-diffusion/scene.yaml \
 	examples/verify/fluid-electroosmosis/porous.yaml \
 	examples/verify/fluid-electroosmosis/scene.yaml \
 	examples/verify/fluid-fluidised-bed/scene.yaml \
@@ -149,9 +151,11 @@ nobase_dist_pkgdata_SCRIPTS += \
 	examples/verify/drift-hooke/check \
 	examples/verify/drum-angle/check \
 	examples/verify/end-of-contact/check \
+	examples/verify/fluid-annulus/check \
 	examples/verify/fluid-cavity/check \
 	examples/verify/fluid-couette/check \
 	examples/verify/fluid-cylinder/check \
+	examples/verify/fluid-diffusion/check \
 	examples/verify/fluid-electroosmosis/check \
 	examples/verify/fluid-fluidised-bed/check \
 	examples/verify/fluid-operators/check \

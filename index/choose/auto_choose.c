@@ -173,6 +173,8 @@ static void cut_gaps(const struct cost_scene *scene, int most, struct cost_plan 
 void auto_levels(const struct cost_scene *scene, int most, struct cost_plan *plan) {
     double best = INFINITY;
     int best_levels = 0;
+    *plan = (struct cost_plan){.levels = 1,
+                               .last = {scene->bins - 1}}; /* where costs are beyond what numbers hold */
     most = most < LEVELS_TRIED ? most : LEVELS_TRIED;
     for (int levels = 1; levels <= most && levels <= scene->bins && levels <= best_levels + LEVELS_PATIENCE;
          levels++) {

@@ -133,7 +133,7 @@ static void fill_rows(struct cross_pairs *cross, const struct index_sink *from, 
         unsigned code = image_opposite(from->j[k] >> INDEX_IMAGE_SHIFT);
         cross->partner[cross->end[from->j[k] & particle_mask]++] = from->i[k] | code << INDEX_IMAGE_SHIFT;
     }
-    for (size_t row = first, start = begin; row < last; start = cross->end[row++]) {
+    for (size_t row = first, start = begin; begin < end && row < last; start = cross->end[row++]) {
         partners_sort(cross->partner + start, cross->end[row] - start);
     }
 }

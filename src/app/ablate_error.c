@@ -157,8 +157,10 @@ static double step_of(const struct study *study, struct speed_row *row, struct e
     scene->step.fraction = study->facts.dt / study->facts.stable;
     bool good = variant_probe(study->comm, scene, &facts, error);
     scene_free(&scene);
+    double dt = good ? facts.dt : NAN;
     row->stable = good ? facts.stable : NAN;
-    return good ? facts.dt : NAN;
+    variant_forget(&facts);
+    return dt;
 }
 
 static bool row_errors(struct study *study, struct speed_row *row, struct error *error) {
@@ -331,6 +333,7 @@ static bool study_run(struct study *study, struct error *error) {
     good = good && rows_time(study, 0, study->repeat, error) && study_combine(study, error);
     if (good)
         study_tell(study, error);
+    variant_forget(&study->facts);
     memory_free(variant);
     scene_free(&scene);
     return comm_agree(study->comm, error);

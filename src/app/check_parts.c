@@ -2,6 +2,7 @@
 /* The terms of the contact law, the fields and the bytes that a scene needs, and the reasons. */
 #include "app/check_parts.h"
 #include "contact/law_restitution.h"
+#include "grains/grains.h"
 #include "engine/simulation.h"
 #include "formats/frame.h"
 #include "particles/fields.h"
@@ -23,7 +24,7 @@ static void pairs_with(const struct scene *scene, size_t coefficient, char *why,
     char pair[2 * LAW_NAME_MAX + 16];
     for (int a = 0; a < scene->materials; a++)
         for (int b = a; b < scene->materials; b++) {
-            const char *at = (const char *)&scene->law_pair[a][b] + coefficient;
+            const char *at = (const char *)scene_law_pair(scene, a, b) + coefficient;
             double value;
             memcpy(&value, at, sizeof value);
             snprintf(pair, sizeof pair, "%s - %s", scene->material[a].name, scene->material[b].name);
@@ -53,28 +54,38 @@ static void walls_list(const struct scene *scene, char *why, size_t room) {
         add(why, room, scene->wall[w].name);
 }
 
+/* What is printed of the terms. */
+struct terms {
+    bool all;          /* a line for each term that is off, too */
+    char off[WHY_MAX]; /* else: their names */
+};
+
 /* Prints one term of the model: on, with the setting that brings it, or off, with a setting that would bring
  * it. */
-static void print_term(const char *term, const char *brought_by, const char *would_bring) {
+static void print_term(struct terms *terms, const char *term, const char *brought_by,
+                       const char *would_bring) {
     if (brought_by[0])
         printf("  %-22s on   %s\n", term, brought_by);
-    else
+    else if (terms->all)
         printf("  %-22s off  %s\n", term, would_bring);
+    else
+        add(terms->off, sizeof terms->off, term);
 }
 
 /* Prints the effect of the end of contacts, at the least restitution of all pairs, and the effect of the
  * other end. */
 static void print_end(const struct simulation *s) {
-    enum law_end end = s->grains.law.options.end,
+    const struct grains *grains = grains_of(&s->physics);
+    enum law_end end = grains->law.options.end,
                  other = end == LAW_END_FORCE ? LAW_END_OVERLAP : LAW_END_FORCE;
     static const char *const what[] = {[LAW_END_OVERLAP] = "overlap: the damper pulls before surfaces part",
                                        [LAW_END_FORCE] = "force: dampers never attract"};
     double e = 1.0;
-    for (int a = 0; a < s->grains.law.materials; a++)
-        for (int b = a; b < s->grains.law.materials; b++)
-            e = fmin(e, s->scene->law_pair[a][b].restitution);
+    for (int a = 0; a < grains->law.materials; a++)
+        for (int b = a; b < grains->law.materials; b++)
+            e = fmin(e, scene_law_pair(s->scene, a, b)->restitution);
     printf("  %-22s on   contact.end: %s", "end of a contact", what[end]);
-    if (s->grains.law.options.damping == LAW_DAMPING_COEFFICIENT)
+    if (grains->law.options.damping == LAW_DAMPING_COEFFICIENT)
         printf("; the restitution depends on it");
     else if (e < 1.0)
         printf("; at restitution %g damping ratio %.3g, friction of sliding impacts %.3f of Coulomb's (%s: "
@@ -87,52 +98,63 @@ static void print_end(const struct simulation *s) {
 }
 
 /* Prints a kind of part of the law: the scene's choice, 0: none. */
-static void print_part(const char *term, enum law_part part, const char *key, int chosen) {
+static void print_part(struct terms *terms, const char *term, enum law_part part, const char *key,
+                       int chosen) {
     char text[WHY_MAX] = "", none[WHY_MAX];
     int count;
     snprintf(none, sizeof none, "%s: none", key);
     if (chosen)
         snprintf(text, sizeof text, "%s: %s", key, law_part_rows(part, &count)[chosen].name);
-    print_term(term, text, none);
+    print_term(terms, term, text, none);
 }
 
-void check_parts_terms(const struct simulation *s) {
+void check_parts_terms(const struct simulation *s, bool all) {
+    const struct grains *grains = grains_of(&s->physics);
+    struct terms terms = {.all = all};
     const struct scene *scene = s->scene;
     char text[WHY_MAX] = "";
     printf("\nwhat is modelled, and why\n");
     char law[LAW_TITLE_MAX];
-    law_title(&s->grains.law.options, law);
+    law_title(&grains->law.options, law);
     snprintf(text, sizeof text, "contact.law: %s", law);
-    print_term("normal force", scene->materials > 0 ? text : "", "the scene has no materials");
+    print_term(&terms, "normal force", scene->materials > 0 ? text : "", "the scene has no materials");
     text[0] = '\0';
     if (scene->materials > 0)
         print_end(s);
     pairs_with(scene, offsetof(struct law_pair, friction), text, sizeof text);
-    print_term("friction, spin, history",
-               s->grains.law.spin ? text[0] ? text : "contact.tangential: history" : "",
+    print_term(&terms, "friction, spin, history",
+               grains->law.spin ? text[0] ? text : "contact.tangential: history" : "",
                "contact.tangential: none");
     text[0] = '\0';
     pairs_with(scene, offsetof(struct law_pair, rolling_friction), text, sizeof text);
-    print_term("rolling resistance",
-               s->grains.law.options.rolling ? text[0] ? text : "contact.rolling: spring" : "",
+    print_term(&terms, "rolling resistance",
+               grains->law.options.rolling ? text[0] ? text : "contact.rolling: spring" : "",
                "contact.rolling: none");
-    print_part("twisting resistance", LAW_PART_TWISTING, "contact.twisting",
-               (int)s->grains.law.options.twisting);
-    print_part("cohesion", LAW_PART_COHESION, "contact.cohesion.law", (int)s->grains.law.options.cohesion);
+    print_part(&terms, "twisting resistance", LAW_PART_TWISTING, "contact.twisting",
+               (int)grains->law.options.twisting);
+    print_part(&terms, "cohesion", LAW_PART_COHESION, "contact.cohesion.law",
+               (int)grains->law.options.cohesion);
     text[0] = '\0';
     walls_list(scene, text, sizeof text);
-    print_term("walls", scene->materials > 0 ? text : "",
+    print_term(&terms, "walls", scene->materials > 0 ? text : "",
                text[0] ? "the scene has no materials" : "the scene has none");
-    print_term("gravity",
+    print_term(&terms, "gravity",
                scene->gravity[0] != 0 || scene->gravity[1] != 0 || scene->gravity[2] != 0 ? "gravity" : "",
                "gravity is 0");
-    print_term("motion along z", scene->box.dimension == 3 ? "box.dimension: 3" : "", "box.dimension: 2");
-    print_term("exchange of copies", s->ranks.alone ? "" : "several ranks", "one rank");
-    print_term("energy sums",
-               s->grains.contact.want_work ? "heat.dissipation"
-               : s->grains.sums_each_step  ? "guards.energy"
-                                           : "",
+    if (scene->box.dimension == 2)
+        printf("  %-22s      %s\n", "mass of a grain",
+               scene->box.density == BOX_DENSITY_AREA ? "density x pi r^2 (box.density: area)"
+                                                      : "density x 4/3 pi r^3 (box.density: volume)");
+    print_term(&terms, "motion along z", scene->box.dimension == 3 ? "box.dimension: 3" : "",
+               "box.dimension: 2");
+    print_term(&terms, "exchange of copies", s->ranks.alone ? "" : "several ranks", "one rank");
+    print_term(&terms, "energy sums",
+               grains->contact.want_work ? "heat.dissipation"
+               : s->sums_each_step       ? "guards.energy"
+                                         : "",
                "at rows of observables alone; each step if dissipated energy is among them");
+    if (terms.off[0])
+        printf("  off: %s\n", terms.off);
 }
 
 /* Writes the setting that brings a field, and the parts of the scene with that setting. */
@@ -170,14 +192,19 @@ void check_parts_fields(const struct simulation *s) {
             printf("  %-18s %6s  not needed; it is for %s\n", field->name, "-", why);
     }
     particles_destroy(&known);
-    printf("  stored: %zu bytes a particle (all fields, forces and spins padded)\n",
+    printf("  ");
+    check_parts_bytes(s);
+}
+
+void check_parts_bytes(const struct simulation *s) {
+    const struct grains *grains = grains_of(&s->physics);
+    printf("stored: %zu bytes a particle (all fields, forces and spins padded), ",
            particles_bytes_each(s->particles));
-    if (s->grains.law.history_components)
-        printf("  history: %zu bytes a touching pair\n",
-               2 * (sizeof(uint32_t) + (size_t)s->grains.law.history_components * sizeof(double)));
+    if (grains->law.history_components)
+        printf("history: %zu bytes a touching pair\n",
+               2 * (sizeof(uint32_t) + (size_t)grains->law.history_components * sizeof(double)));
     else
-        printf("  history: none (%s)\n",
-               s->grains.law.options.solved ? "a solver has its own" : "no friction");
+        printf("history: none (%s)\n", grains->law.options.solved ? "a solver has its own" : "no friction");
 }
 
 /* Bytes of a particle's fields with a use. */

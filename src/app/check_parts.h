@@ -5,13 +5,17 @@
 
 struct simulation;
 
-/* Prints the terms of the contact law that the scene brings, each with what brought it, and the terms that it leaves
- * out, each with the setting that would bring it. One thread. */
-void check_parts_terms(const struct simulation *s);
+#include <stdbool.h>
 
-/* Prints the fields of a particle with bytes and reason, those that are not needed, and the bytes that are stored of a
- * particle and of a pair that touches. One thread. */
+/* Prints the terms of the contact law that the scene brings, each with what brought it. The terms that it leaves out
+ * are named in one line; with `all` each has the setting that would bring it. One thread. */
+void check_parts_terms(const struct simulation *s, bool all);
+
+/* Prints the fields of a particle with bytes and reason, and those that are not needed. One thread. */
 void check_parts_fields(const struct simulation *s);
+
+/* Prints the bytes that are stored of a particle and of a pair that touches. One thread. */
+void check_parts_bytes(const struct simulation *s);
 
 /* Prints the bytes of a particle in each kind of message; nothing on one rank. One thread. */
 void check_parts_wire(const struct simulation *s);

@@ -16,6 +16,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/stat.h>
 
 static int run_run(const struct comm *comm, const struct command_line *line, struct error *error);
 static int run_info(const struct comm *comm, const struct command_line *line, struct error *error);
@@ -26,7 +27,7 @@ static const struct command commands[] = {
      run_run},
     {"check", "SCENE.yaml",
      "validates a scene and prints what it needs and what a run will cost; writes nothing", 1, 1,
-     "set ranks threads", command_check},
+     "set all ranks threads", command_check},
     {"ablate", "SCENE.yaml -o DIR",
      "runs a scene over all indexes, threads and newton settings, a table of times; with --error over all "
      "that "
@@ -35,7 +36,7 @@ static const struct command commands[] = {
      "output set overwrite index threads newton steps error duration samples repeat members tolerance judge "
      "mean-from only",
      command_ablate},
-    {"info", "FILE",
+    {"info", "FILE or DIR",
      "tells what is in a trajectory, checkpoint, LAMMPS data file or dump; or one value of a report or table",
      1, 1, "get column row", run_info},
     {"convert", "IN OUT", "converts LAMMPS data, dumps and H5MD into each other; checkpoints, too", 2, 2,
@@ -43,10 +44,10 @@ static const struct command commands[] = {
     {"picture", "DIR -o FILE.png",
      "draws a run, or a file of particles, as a picture; FILE.mp4 makes a film, FILE.pov the text for "
      "POV-Ray",
-     1, 1, "output frame colour range bands palette grey cut view size rate bare", command_picture},
+     1, 1, "output overwrite frame colour range bands palette grey cut view size rate bare", command_picture},
     {"report", "DIR -o FILE.html",
-     "makes one page of a run or an ablation: figures, plots, pictures, tables, the scene", 1, 1, "output",
-     command_report},
+     "makes one page of a run or an ablation: figures, plots, pictures, tables, the scene", 1, 1,
+     "output overwrite", command_report},
     {"pack", "LAW FILE... [KEY=VALUE...]",
      "makes a packing of spheres: NAME.data for LAMMPS, NAME.h5 for H5MD", 2, COMMAND_FILES_MAX,
      "overwrite quiet", command_pack},
@@ -194,7 +195,12 @@ int command_lookup(const struct command_line *line, struct error *error) {
 }
 
 static int run_info(const struct comm *comm, const struct command_line *line, struct error *error) {
-    if (one_rank(comm, "info", error))
+    struct stat found;
+    if (!one_rank(comm, "info", error))
+        return error->kind;
+    if (stat(line->file[0], &found) == 0 && S_ISDIR(found.st_mode))
+        info_folder(line->file[0], comm, stdout, error);
+    else
         info_print(line->file[0], comm, stdout, error);
     return error->kind;
 }

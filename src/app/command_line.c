@@ -35,7 +35,7 @@ static const struct flag flags[] = {
      "ablate"},
     {"overwrite", NULL,
      "a file that is there already is replaced; without it, it is kept, and nothing is written",
-     "convert pack"},
+     "convert picture report pack"},
     {"quiet", NULL, "no notes, no progress, no report and no list of what a resume changes on the terminal",
      NULL},
     {"view", "[PORT]",
@@ -87,6 +87,8 @@ static const struct flag flags[] = {
     {"row", "ROW", "with --column: first, last, or a number from 0, negative from the end; default: all rows",
      NULL},
     {"index", "A,B,...", "the indexes to compare; default: all", NULL},
+    {"all", NULL,
+     "also prints what is off, every field of a particle and every pass of a step and of a rebuild", NULL},
     {"ranks", "N", "tells what a layout of N ranks would need", NULL},
     {"threads", "M", "with --ranks: threads of each rank; default: those of the scene", "check"},
     {"threads", "1,2,...", "the thread counts to compare; default: powers of two up to all cores", "ablate"},
@@ -213,6 +215,7 @@ static const struct target {
     GIVEN("paused", paused),
     GIVEN("bare", bare),
     GIVEN("error", errors),
+    GIVEN("all", all),
 #undef TEXT
 #undef LAST
 #undef GIVEN

@@ -62,6 +62,7 @@ struct command_line {
     bool paused; /* --paused */
     bool bare;   /* --bare (picture) */
     bool errors; /* --error (ablate) */
+    bool all;    /* --all (check) */
 };
 
 struct command {

@@ -3,6 +3,7 @@
 #include "app/cost.h"
 #include "formats/wall_frames.h"
 #include "app/trial.h"
+#include "grains/grains.h"
 #include "engine/outputs.h"
 #include "engine/run.h"
 #include "engine/view.h"
@@ -47,10 +48,15 @@ static double times(const struct simulation *s, const struct output_interval *ev
     return 1 + floor((double)steps * s->clock.dt / every->time * (1 + 1e-12));
 }
 
-static void file_line(const char *name, double count, const char *unit, double bytes) {
+/* Prints a file that a run writes; bytes 0: not known. A line each, or all in one. */
+static void file_print(bool all, const char *name, double count, const char *unit, double bytes) {
     char size[32];
     size_words(bytes, size, sizeof size);
-    printf("    %-28s %.0f %s%s, about %s\n", name, count, unit, count == 1 ? "" : "s", size);
+    printf(all ? "    %-28s %.0f %s%s" : ", %s %.0f %s%s", name, count, unit, count == 1 ? "" : "s");
+    if (bytes > 0)
+        printf(", about %s", size);
+    if (all)
+        printf("\n");
 }
 
 /* Bytes of a frame, or of its text if `characters` is not 0; with the columns that never change, or without. */
@@ -74,19 +80,19 @@ static double checkpoint_bytes(const struct simulation *s) {
     return CHECKPOINT_HEAD + each * (double)s->total;
 }
 
-static void wall_frames_line(const struct simulation *s, uint64_t steps) {
+static void wall_frames_print(const struct simulation *s, bool all, uint64_t steps) {
     const struct output_interval *every = &s->scene->output.walls.every;
     struct wall_surface surface;
-    if (!output_interval_set(every) || s->grains.walls == NULL)
+    if (!output_interval_set(every) || grains_of(&s->physics)->walls == NULL)
         return;
     double frames = times(s, every, steps);
-    wall_surface_make(&surface, s->grains.walls, NULL);
-    file_line("walls-STEP.vtp", frames, "frame", frames * wall_frames_bytes((double)surface.triangles));
+    wall_surface_make(&surface, grains_of(&s->physics)->walls, NULL);
+    file_print(all, "walls-STEP.vtp", frames, "frame", frames * wall_frames_bytes((double)surface.triangles));
     wall_surface_free(&surface);
 }
 
 /* Prints the files that `steps` steps will write. Collective: frames are made to find their columns. */
-static void files_print(const struct simulation *s, uint64_t steps) {
+static void files_print(const struct simulation *s, bool all, uint64_t steps) {
     const struct output_options *output = &s->scene->output;
     const struct trajectory_options *trajectory = &output->trajectory;
     bool told = s->comm->rank == 0, varying = outputs_run(s, NULL).varying;
@@ -96,29 +102,28 @@ static void files_print(const struct simulation *s, uint64_t steps) {
     double frames = output_interval_set(&trajectory->every) ? times(s, &trajectory->every, steps) : 0;
     if (!told)
         return;
-    printf("  files in the folder of -o\n");
+    printf(all ? "  files in the folder of -o\n" : "  files        report.json");
     if (frames > 0)
-        file_line("trajectory.h5", frames, "frame", first - frame + frames * frame);
+        file_print(all, "trajectory.h5", frames, "frame", first - frame + frames * frame);
     if (frames > 0 && trajectory->xdmf)
-        file_line("trajectory.xdmf", frames, "frame", frames * XDMF_FRAME);
+        file_print(all, "trajectory.xdmf", frames, "frame", frames * XDMF_FRAME);
     if (output_interval_set(&trajectory->contacts))
-        printf("    %-28s %.0f lists of contacts\n", "", times(s, &trajectory->contacts, steps));
+        file_print(all, "", times(s, &trajectory->contacts, steps), "list of contacts", 0);
     if (output_interval_set(&output->dump.every)) {
         double count = times(s, &output->dump.every, steps);
-        file_line("dump.lammpstrj", count, "frame", count * line);
+        file_print(all, "dump.lammpstrj", count, "frame", count * line);
     }
-    wall_frames_line(s, steps);
+    wall_frames_print(s, all, steps);
     if (output_interval_set(&output->observables.every))
-        printf("    %-28s %.0f row%s\n", "observables.csv", times(s, &output->observables.every, steps),
-               times(s, &output->observables.every, steps) == 1 ? "" : "s");
+        file_print(all, "observables.csv", times(s, &output->observables.every, steps), "row", 0);
     double checkpoints = output->checkpoint.at_end ? 1 : 0;
     if (output->checkpoint.every_steps > 0)
         checkpoints += floor((double)steps / (double)output->checkpoint.every_steps);
     checkpoints = output->checkpoint.every_minutes > 0 ? output->checkpoint.keep : checkpoints;
     checkpoints = checkpoints > output->checkpoint.keep ? output->checkpoint.keep : checkpoints;
     if (checkpoints > 0)
-        file_line("checkpoint-STEP.h5", checkpoints, "file", checkpoints * checkpoint_bytes(s));
-    printf("    report.json\n");
+        file_print(all, "checkpoint-STEP.h5", checkpoints, "file", checkpoints * checkpoint_bytes(s));
+    printf(all ? "    report.json\n" : "\n");
     if (frames == 0 && !output_interval_set(&trajectory->contacts) &&
         !output_interval_set(&output->dump.every) && !output_interval_set(&output->observables.every) &&
         !output_interval_set(&output->walls.every))
@@ -149,7 +154,7 @@ static bool has_fluid(const struct simulation *s) {
     return found;
 }
 
-static void time_print(struct simulation *s, uint64_t last, uint64_t steps) {
+static void time_print(struct simulation *s, bool all, uint64_t last, uint64_t steps) {
     uint64_t timed, rebuilds = s->search.skin->rebuilds;
     char each[64];
     if (has_fluid(s)) {
@@ -169,8 +174,10 @@ static void time_print(struct simulation *s, uint64_t last, uint64_t steps) {
     }
     if (steps < endless) {
         time_words(seconds * (double)steps, each, sizeof each);
-        printf("  time         about %s, by the %" PRIu64 " first steps, which were run here as a trial:\n",
-               each, timed);
+        printf("  time         about %s, by the %" PRIu64 " first steps, which were run here as a trial%s\n",
+               each, timed, all ? ":" : "");
+        if (!all)
+            return;
     }
     printf("               %.3g ms a step, with %" PRIu64 " rebuild%s, without output; more contacts, more "
            "particles, or\n               other programs on the cores make it longer\n",
@@ -208,7 +215,7 @@ static void stages_print(const struct scene *scene) {
     }
 }
 
-void cost_print(struct simulation *s) {
+void cost_print(struct simulation *s, bool all) {
     uint64_t last = run_last_step(s), steps = last > s->clock.step ? last - s->clock.step : 0;
     if (s->comm->rank == 0) {
         stages_print(s->scene);
@@ -220,8 +227,8 @@ void cost_print(struct simulation *s) {
             printf("  steps        without end: the run goes on until %s\n",
                    s->scene->stages > 0 ? "the conditions of the stage hold" : "a signal ends it");
     }
-    files_print(s, steps);
-    time_print(s, last, steps);
+    files_print(s, all, steps);
+    time_print(s, all, last, steps);
     if (s->comm->rank == 0)
         fflush(stdout);
 }

@@ -5,10 +5,11 @@
 
 #include "engine/simulation.h"
 
-/* Prints, on rank 0, the number of steps, the time that they will take, and the files with their sizes. For the
+/* Prints, on rank 0, the number of steps, the time that they will take, and the files with their sizes, with `all` a line
+ * each. For the
  * time the simulation runs some of its first steps, for about a third of a second; a simulation with a fluid is
  * not timed, as one of its steps may take long. The simulation must not be used for anything but its end
  * afterwards. Collective. */
-void cost_print(struct simulation *simulation);
+void cost_print(struct simulation *simulation, bool all);
 
 #endif

@@ -3,7 +3,7 @@
 #include "app/page.h"
 #include "core/memory.h"
 #include "files/file.h"
-#include "files/program.h"
+#include "core/program.h"
 #include "picture/source.h"
 #include <string.h>
 #include <sys/stat.h>
@@ -51,6 +51,8 @@ int command_report(const struct comm *comm, const struct command_line *line, str
         error_set(error, ERROR_USER, "command line: scree report needs -o FILE.html");
     else if (stat(folder, &found) != 0 || !S_ISDIR(found.st_mode))
         error_set(error, ERROR_USER, "%s: there is no such folder", folder);
+    else if (!line->overwrite && file_size(out) >= 0)
+        error_set(error, ERROR_USER, "%s: is there already (--overwrite replaces it)", out);
     if (error->kind != ERROR_NONE || !page_folder("report.py", pages, error))
         return error->kind;
     snprintf(script, sizeof script, "%s/report.py", pages);
@@ -59,7 +61,7 @@ int command_report(const struct comm *comm, const struct command_line *line, str
     bool has_scene = write_scene(comm, folder, scene, error);
     const char *const command[] = {"python3", "-B", script, folder, out, has_scene ? scene : NULL, NULL};
     if (error->kind == ERROR_NONE)
-        program_run(command, told, "python3", error);
+        program_run(command, NULL, told, "python3", error);
     remove(scene);
     remove(told);
     return error->kind;

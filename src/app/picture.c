@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* scree picture: the command line of pictures. Read picture/picture.h first. */
 #include "app/picture.h"
+#include "files/file.h"
 #include "picture/picture.h"
 
 int command_picture(const struct comm *comm, const struct command_line *line, struct error *error) {
@@ -22,6 +23,8 @@ int command_picture(const struct comm *comm, const struct command_line *line, st
     if (comm->size > 1)
         error_set(error, ERROR_USER, "command line: scree picture runs on one rank; it was started on %d",
                   comm->size);
+    else if (!line->overwrite && file_size(line->directory) >= 0)
+        error_set(error, ERROR_USER, "%s: is there already (--overwrite replaces it)", line->directory);
     else
         picture_draw(comm, line->file[0], line->directory, &options, error);
     return error->kind;

@@ -143,7 +143,7 @@ static bool sampler_begin(void *context, struct simulation *s, struct error *err
     bulk_measure(sampler->record, s);
     if (sampler->perturbation > 0)
         perturb(sampler, s);
-    s->grains.sums_each_step = true;
+    s->sums_each_step = true;
     return sampler_look(context, s, error);
 }
 

@@ -1,13 +1,9 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* Places labels and writes the script of the plot. Read speed_plot.h first. */
 #include "app/speed_plot.h"
-#include <errno.h>
+#include "core/program.h"
 #include <math.h>
-#include <spawn.h>
 #include <string.h>
-#include <sys/wait.h>
-
-extern char **environ;
 
 /* In pixels, y upwards: the picture, and the frame of the plot inside; the height of a line of labels; half
  * the size of a point, and the distance of a label from its point. */
@@ -241,14 +237,12 @@ static bool points_write(FILE *file, const struct canvas *canvas, const char *gr
     return any;
 }
 
-static void frame_write(FILE *file, struct canvas *canvas, const char *directory) {
-    char path[FILE_PATH_MAX + 32];
-    snprintf(path, sizeof path, "%s/speed_error.svg", directory);
-    fprintf(file, "set terminal svg size %d,%d font 'sans,12' background 'white'\nset output ", WIDTH,
-            HEIGHT);
-    quote(file, path);
+static void frame_write(FILE *file, struct canvas *canvas) {
     fprintf(file,
-            "\nset lmargin at screen %.5f\nset rmargin at screen %.5f\nset bmargin at screen %.5f\n"
+            "set terminal svg size %d,%d font 'sans,12' background 'white'\nset output 'speed_error.svg'\n",
+            WIDTH, HEIGHT);
+    fprintf(file,
+            "set lmargin at screen %.5f\nset rmargin at screen %.5f\nset bmargin at screen %.5f\n"
             "set tmargin at screen %.5f\n",
             (double)LEFT / WIDTH, (double)RIGHT / WIDTH, (double)BOTTOM / HEIGHT, (double)TOP / HEIGHT);
     fprintf(file, "set logscale xy\nset xrange [%.6g:%.6g]\nset yrange [%.6g:%.6g]\n", canvas->least[0],
@@ -276,9 +270,9 @@ static bool group_shown(const struct speed_report *report, const char *group) {
     return false;
 }
 
-static void plot_write(FILE *file, struct canvas *canvas, const char *directory) {
+static void plot_write(FILE *file, struct canvas *canvas) {
     const struct speed_report *report = canvas->report;
-    frame_write(file, canvas, directory);
+    frame_write(file, canvas);
     labels_write(file, canvas, true);
     labels_write(file, canvas, false);
     bool front = points_write(file, canvas, NULL);
@@ -300,19 +294,12 @@ static void plot_write(FILE *file, struct canvas *canvas, const char *directory)
     fprintf(file, "\n");
 }
 
-/* Runs gnuplot on the script; a missing gnuplot gives a message, and is no failure. */
-static void plot_run(const char *script) {
-    char *argument[] = {"gnuplot", (char *)script, NULL};
-    pid_t child;
-    int status = 0;
-    if (posix_spawnp(&child, "gnuplot", NULL, NULL, argument, environ) != 0) {
-        fprintf(stderr, "scree: warning: gnuplot was not found; it makes the plot from %s\n", script);
-        return;
-    }
-    while (waitpid(child, &status, 0) < 0 && errno == EINTR)
-        ;
-    if (status != 0)
-        fprintf(stderr, "scree: warning: gnuplot made no plot from %s\n", script);
+/* Runs gnuplot on the script in the folder; a gnuplot that is missing, or fails, gives a message, and is no failure. */
+static void plot_run(const char *directory, const char *script) {
+    static const char *const command[] = {"gnuplot", "speed_error.gp", NULL};
+    struct error failed = {0};
+    if (!program_run(command, directory, NULL, "gnuplot-nox", &failed))
+        fprintf(stderr, "scree: warning: there is no plot from %s: %s\n", script, failed.text);
 }
 
 bool speed_plot(const struct speed_report *report, const char *directory, struct error *error) {
@@ -329,9 +316,9 @@ bool speed_plot(const struct speed_report *report, const char *directory, struct
         return error_set_errno(error, "%s", path);
     canvas_frame(&canvas);
     front_collect(&canvas);
-    plot_write(file, &canvas, directory);
+    plot_write(file, &canvas);
     if (fclose(file) != 0)
         return error_set_errno(error, "%s", path);
-    plot_run(path);
+    plot_run(directory, path);
     return true;
 }

@@ -2,6 +2,7 @@
 /* Runs the first steps of a scene and records rebuilds and contacts in these steps. Read trial.h first. */
 #include "app/trial.h"
 #include "engine/simulation.h"
+#include "grains/grains.h"
 #include "engine/step.h"
 #include "engine/run.h"
 #include "engine/view.h"
@@ -18,8 +19,8 @@ void trial_step(struct simulation *s) {
     int64_t every = s->scene->step.rebuild_every;
     s->agree.signals =
         (struct step_signals){.stop = run_signalled() != 0, .error = s->error.kind != ERROR_NONE};
-    s->grains.contact.want_virial = s->servo.on;
-    s->grains.contact.want_sums = s->grains.sums_each_step || s->grains.contact.want_work || s->servo.on;
+    s->evaluation.virial = s->servo.on;
+    s->evaluation.sums = s->sums_each_step || s->servo.on;
     step_run(s, every > 0 && (s->clock.step + 1) % (uint64_t)every == 0, true);
 }
 
@@ -35,7 +36,7 @@ static void agree(const struct simulation *s, struct trial *trial, double began)
 }
 
 static void notice(const struct simulation *s, uint64_t rebuilds, struct trial *trial) {
-    if (!trial->touched && s->grains.sums.contact_sides > 0) {
+    if (!trial->touched && grains_of(&s->physics)->sums.contact_sides > 0) {
         trial->touched = true;
         trial->contact_first = s->clock.step;
     }

@@ -1,8 +1,10 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* Lists the variants of a scene and applies one. Read variant.h first. */
 #include "app/variant.h"
+#include "grains/grains.h"
+#include "core/memory.h"
 #include "engine/simulation.h"
-#include "contact/material.h"
+#include "particles/material.h"
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
@@ -38,17 +40,22 @@ bool variant_probe(const struct comm *comm, const struct scene *scene, struct va
     if (s == NULL)
         return false;
     *facts = (struct variant_facts){.dt = s->clock.dt,
-                                    .stable = s->timing.limits.stable,
-                                    .rayleigh = s->timing.limits.rayleigh,
+                                    .stable = s->timing.stable,
+                                    .rayleigh = grains_of(&s->physics)->stable.limits.rayleigh,
                                     .particles = s->total,
                                     .classes = s->classes.count,
                                     .materials = scene->materials};
     means_take(s, facts);
-    for (int a = 0; a < scene->materials; a++)
-        for (int b = 0; b < scene->materials; b++)
-            facts->coefficients[a][b] = s->grains.law.pair[a][b];
+    size_t entries = (size_t)scene->materials * (size_t)scene->materials;
+    facts->coefficients = memory_allocate(entries, sizeof *facts->coefficients, "coefficients of contacts");
+    memcpy(facts->coefficients, grains_of(&s->physics)->law.pair, entries * sizeof *facts->coefficients);
     simulation_destroy(&s);
     return true;
+}
+
+void variant_forget(struct variant_facts *facts) {
+    memory_free(facts->coefficients);
+    *facts = (struct variant_facts){0};
 }
 
 struct list {
@@ -88,13 +95,13 @@ static void put_laws(struct list *list, const struct scene *scene) {
     }
     if (scene->law.tangential != LAW_FRICTIONLESS)
         put(list, "law", VARIANT_FRICTIONLESS, 0, "no friction");
-    if (scene->law.tangential == LAW_TANGENTIAL_HISTORY && !scene->law.lammps_history)
+    if (scene->law.tangential == LAW_TANGENTIAL_HISTORY && !scene->law.lammps_history && !scene->law.solved)
         put(list, "law", VARIANT_SLIDING,
             scene->law.sliding == LAW_SLIDING_SERIES ? LAW_SLIDING_TOTAL : LAW_SLIDING_SERIES,
             scene->law.sliding == LAW_SLIDING_SERIES ? "sliding total" : "sliding series");
     if (scene->law.rolling != LAW_ROLLING_NONE)
         put(list, "law", VARIANT_NO_ROLLING, 0, "no rolling resistance");
-    if (scene->law.damping == LAW_DAMPING_RESTITUTION) {
+    if (scene->law.damping == LAW_DAMPING_RESTITUTION && !law_has_trait(scene->law.normal, "stiff")) {
         put(list, "stiffness", VARIANT_SOFT, 0.1, "stiffness / 10");
         put(list, "stiffness", VARIANT_SOFT, 0.01, "stiffness / 100");
     }
@@ -118,7 +125,7 @@ static void put_searches(struct list *list, const struct scene *scene, const str
         put(list, "classes", VARIANT_CLASSES, 1, "1 size class");
     put(list, "order", VARIANT_FUSED, scene->step.fused ? 0 : 1,
         scene->step.fused ? "plain step" : "fused step");
-    if (!scene->reproducible)
+    if (!scene->reproducible && !scene->law.solved)
         put(list, "order", VARIANT_REPRODUCIBLE, 1, "reproducible");
 }
 
@@ -180,7 +187,7 @@ void variant_add(struct variant *to, const struct variant *from) {
  * largest speed met. */
 static void pair_linear(const struct variant_facts *facts, enum law_normal normal, int a, int b,
                         struct law_pair *pair) {
-    const struct law_coefficients *c = &facts->coefficients[a][b];
+    const struct law_coefficients *c = &facts->coefficients[law_place_of(facts->materials, a, b)];
     const struct law_form *form = law_row_get(normal)->form;
     double radius = 1 / (1 / facts->radius[a] + 1 / facts->radius[b]);
     double mass = 1 / (1 / facts->mass[a] + 1 / facts->mass[b]);
@@ -197,7 +204,7 @@ static void pair_linear(const struct variant_facts *facts, enum law_normal norma
 static void linear_set(const struct variant_facts *facts, struct scene *scene) {
     for (int a = 0; a < scene->materials; a++)
         for (int b = a; b < scene->materials; b++)
-            pair_linear(facts, scene->law.normal, a, b, &scene->law_pair[a][b]);
+            pair_linear(facts, scene->law.normal, a, b, scene_law_pair(scene, a, b));
     scene->law.normal = law_linear();
 }
 
@@ -205,10 +212,11 @@ static void soften(struct scene *scene, double factor) {
     for (int a = 0; a < scene->materials; a++) {
         scene->material[a].young *= factor;
         for (int b = a; b < scene->materials; b++) {
-            scene->law_pair[a][b].k_n *= factor;
-            scene->law_pair[a][b].k_t *= factor;
-            scene->law_pair[a][b].extra.k_2 *= factor;
-            scene->law_pair[a][b].extra.k_c *= factor;
+            struct law_pair *pair = scene_law_pair(scene, a, b);
+            pair->k_n *= factor;
+            pair->k_t *= factor;
+            pair->extra.k_2 *= factor;
+            pair->extra.k_c *= factor;
         }
     }
 }

@@ -45,10 +45,11 @@ struct variant_facts {
     int materials;
     double radius[LAW_MATERIALS_MAX]; /* mean, of free particles; infinite without such particles */
     double mass[LAW_MATERIALS_MAX];
-    struct law_coefficients coefficients[LAW_MATERIALS_MAX][LAW_MATERIALS_MAX];
+    struct law_coefficients *coefficients; /* materials x materials (law_place_of); owned */
 };
 
-/* Finds the facts by creating the simulation of a scene and destroying it. Collective. */
+/* Finds the facts by creating the simulation of a scene and destroying it. variant_forget releases. Collective. */
+void variant_forget(struct variant_facts *facts);
 bool variant_probe(const struct comm *comm, const struct scene *scene, struct variant_facts *facts,
                    struct error *error);
 

@@ -23,6 +23,12 @@ static const struct schema_name orientation_names[] = {
     {"given", CLUMP_GIVEN, "`quaternion`"},
     {0}};
 
+static const struct schema_name size_names[] = {
+    {"grain", CLUMP_BY_GRAIN, "the body is scaled, so that the ball around it has the radius of its grain"},
+    {"drawn", CLUMP_AS_DRAWN, "places and radii of the members are those of the entry; the radius of the grain only keeps it from other grains "
+                              "and walls of its source, and chooses the entry"},
+    {0}};
+
 static const struct schema_row clump_rows[] = {
     {.key = "name", .type = SCHEMA_TEXT, .fallback = "body", AT(struct clump_options, name), .help = "name, for messages",
      .example = "dumbbell"},
@@ -34,7 +40,7 @@ static const struct schema_row clump_rows[] = {
     {.key = "radius_upto", .type = SCHEMA_REAL, .unit = "m", .range = "(0, inf]", .fallback = ".inf",
      AT(struct clump_options, radius_upto), .help = "only grains of this radius or less", .example = "1.5 mm"},
     {.key = "spheres", .type = SCHEMA_LIST, .sub = &sphere_table, ARRAY_AT(struct clump_options, sphere, spheres),
-     .help = "the members; the body is scaled to the radius of its grain"},
+     .help = "the members; see `size`"},
     {.key = "file", .type = SCHEMA_PATH, AT(struct clump_options, file),
      .help = "instead: a file with one row `x y z radius` a member", .example = "rock.txt"},
     {.key = "mesh", .type = SCHEMA_PATH, AT(struct clump_options, mesh),
@@ -44,6 +50,8 @@ static const struct schema_row clump_rows[] = {
      .help = "number of spheres of a mesh, at most"},
     {.key = "scale", .type = SCHEMA_REAL, .range = "(0, inf)", .fallback = "1", AT(struct clump_options, scale),
      .help = "lengths of the file or mesh x this", .example = "0.001"},
+    {.key = "size", .type = SCHEMA_NAME, .names = size_names, .fallback = "grain", AT(struct clump_options, size),
+     .help = "size of the body; the centre of mass is at the centre of the grain in both cases"},
     {.key = "mass", .type = SCHEMA_REAL, .unit = "kg", .range = "(0, inf)", AT(struct clump_options, mass),
      .help = "mass of the body in the size of the entry; left out: volume of its spheres together x density of its grain",
      .example = "3 g"},

@@ -127,6 +127,7 @@ static bool axes_find(struct clump *clump, const struct moments *moments, const 
                       "of the other two",
                       error);
     moments_quaternion(turn, clump->axes);
+    memcpy(clump->centre, moments->centre, sizeof clump->centre);
     for (int k = 0; k < clump->spheres; k++) {
         double *x = clump->sphere[k].centre;
         for (int d = 0; d < 3; d++)

@@ -6,9 +6,10 @@
 #include "bodies/moments.h"
 #include "scene/scene.h"
 
-enum { CLUMPS_MAX = 8, CLUMP_SPHERES_MAX = 32, CLUMP_PATH_MAX = 256 };
+enum { CLUMPS_MAX = 32, CLUMP_SPHERES_MAX = 32, CLUMP_PATH_MAX = 256 };
 
 enum clump_orientation { CLUMP_RANDOM, CLUMP_GIVEN };
+enum clump_size { CLUMP_BY_GRAIN, CLUMP_AS_DRAWN };
 
 /* An entry of `bodies.clumps`. */
 struct clump_options {
@@ -21,7 +22,8 @@ struct clump_options {
     char mesh[CLUMP_PATH_MAX]; /* "": no mesh; else a closed surface, filled with spheres (inscribe.h) */
     int mesh_spheres;          /* at most */
     double scale;              /* lengths of the file or mesh x this */
-    double mass;               /* NAN: from the density of the grains' material */
+    enum clump_size size;
+    double mass; /* NAN: from the density of the grains' material */
     int centre_given;
     double centre[3]; /* of mass; NAN: by the spheres */
     int inertia_given;
@@ -42,6 +44,7 @@ struct clump {
     double filled;      /* of a mesh: part of the volume that the spheres fill; else 0 */
     double mass;        /* NAN: volume x density */
     double extent;      /* radius of the ball about the centre of mass that holds all spheres */
+    double centre[3];   /* of mass, in the frame of the entry */
     double gyration[3]; /* moments of inertia over mass, from small to large */
     double rest
         [9]; /* inertia over mass that the spheres' shares do not account for, row by row; 0 where none overlap */

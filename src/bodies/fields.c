@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* Describes and registers the fields of bodies. */
 #include "bodies/fields.h"
-#include "contact/spin.h"
+#include "particles/spin.h"
 #include "integrate/carried.h"
 #include "particles/fields.h"
 #include "particles/kinds.h"

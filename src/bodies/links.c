@@ -1,10 +1,11 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* Finds the body of each member by its id, and the members of each body. Read links.h first. */
 #include "bodies/links.h"
+#include "grains/grains.h"
 #include "bodies/fields.h"
 #include "bodies/rotor.h"
 #include "core/memory.h"
-#include "integrate/groups.h"
+#include "particles/groups.h"
 #include "particles/kinds.h"
 #include <math.h>
 #include <stdlib.h>
@@ -64,8 +65,8 @@ static void row_make(const struct bodies *bodies, const struct physics_context *
     *row = (struct bodies_row){.particle = particle, .clump = clump, .scale = scale, .mass = mass};
     for (int d = 0; d < 3; d++)
         row->inertia[d] = mass * clump->gyration[d] * scale * scale;
-    if (group && particle < p->owned && context->motion->motion[group[particle]].prescribed)
-        row->motion = &context->motion->motion[group[particle]];
+    if (group && particle < p->owned && grains_motion(context)->motion[group[particle]].prescribed)
+        row->motion = &grains_motion(context)->motion[group[particle]];
 }
 
 /* Rows of own bodies and of copies, and the rows of all particles (-1: no body); to be freed. */

@@ -4,7 +4,7 @@
 #include "bodies/fields.h"
 #include "bodies/links.h"
 #include "bodies/rotor.h"
-#include "contact/spin.h"
+#include "particles/spin.h"
 #include <string.h>
 
 /* The units of the sums of body b; none where the order of a sum may matter. */
@@ -50,7 +50,7 @@ static void push(const struct bodies_links *l, const struct physics_context *con
     sums_value(l->sum + (size_t)b * (size_t)sums_width(context->ordered), context->ordered, units, force,
                torque);
     for (int d = 0; d < 3; d++) {
-        velocity[d] = flat && d == 2 ? 0 : time * (force[d] / row->mass + context->motion->gravity[d]);
+        velocity[d] = flat && d == 2 ? 0 : time * (force[d] / row->mass + context->scene->gravity[d]);
         spin[d] = flat && d < 2 ? 0 : time * torque[d];
     }
 }

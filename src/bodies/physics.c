@@ -1,10 +1,13 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* Bodies as a physics: checks of the section, the pass of the step, the hooks of the engine. Read bodies.h first. */
 #include "bodies/bodies.h"
+#include "bodies/fields.h"
+#include "grains/grains.h"
 #include "bodies/links.h"
 #include "bodies/motion.h"
 #include "bodies/place.h"
 #include "core/memory.h"
+#include "particles/kinds.h"
 #include <math.h>
 #include <stdio.h>
 
@@ -79,7 +82,7 @@ static void *create(const struct physics_context *context) {
     for (int k = 0; k < options->clumps; k++)
         if (!clump_make(&bodies->clump[k], context->scene, k, &options->clump[k], &none))
             error_fatal("%s", none.text); /* a file that has changed since the check */
-    context->motion->carried = &bodies->carried;
+    grains_motion(context)->carried = &bodies->carried;
     return bodies;
 }
 
@@ -114,12 +117,49 @@ static void restart(const struct physics_context *context, struct restart *list)
     restart_add(list, RESTART_REAL, false, &bodies->before, "bodies: length of the last step");
 }
 
-static void print(const struct physics_context *context, FILE *file) {
+/* Prints of how many bodies a shape is, and from where to where their radius, mass and inertia reach. Collective. */
+static void print_made(const struct physics_context *context, int number, FILE *file) {
+    enum { RADIUS, MASS, INERTIA, ALL = INERTIA + 3 };
     const struct bodies *bodies = context->self;
-    if (context->comm->rank != 0)
+    const struct particles *p = context->particles;
+    double least[ALL], most[ALL];
+    int64_t count = 0;
+    for (int k = 0; k < ALL; k++)
+        least[k] = -(most[k] = -INFINITY);
+    for (size_t i = 0; i < p->owned; i++) {
+        if (kinds_of(p)[i] != KIND_BODY || bodies_part(p)[i] != number)
+            continue;
+        const struct clump *clump = &bodies->clump[number];
+        double mass = bodies_mass(p)[i], scale = p->state[i].radius / clump->extent;
+        double value[ALL] = {[RADIUS] = p->state[i].radius, [MASS] = mass};
+        for (int d = 0; d < 3; d++)
+            value[INERTIA + d] = mass * clump->gyration[d] * scale * scale;
+        for (int k = 0; k < ALL; k++) {
+            least[k] = fmin(least[k], value[k]);
+            most[k] = fmax(most[k], value[k]);
+        }
+        count++;
+    }
+    comm_sum_int(context->comm, &count, 1);
+    comm_min(context->comm, least, ALL);
+    comm_max(context->comm, most, ALL);
+    if (context->comm->rank != 0 || count == 0)
         return;
-    for (int k = 0; k < bodies->options->clumps; k++) {
-        const struct clump *clump = &bodies->clump[k];
+    const bool alike = least[RADIUS] == most[RADIUS] && least[MASS] == most[MASS];
+    for (int end = 0; end < (alike ? 1 : 2); end++) {
+        const double *of = end ? most : least;
+        fprintf(file, "  %s: radius %.6g, mass %.6g, principal moments of inertia %.6g %.6g %.6g\n",
+                alike ? "each"
+                : end ? "largest"
+                      : "smallest",
+                of[RADIUS], of[MASS], of[INERTIA], of[INERTIA + 1], of[INERTIA + 2]);
+    }
+}
+
+static void print_shape(const struct physics_context *context, int k, FILE *file) {
+    const struct bodies *bodies = context->self;
+    const struct clump *clump = &bodies->clump[k];
+    if (context->comm->rank == 0) {
         char how[96] = "none overlap";
         if (clump->overlap)
             snprintf(how, sizeof how, "some overlap (volume and inertia by quadrature)");
@@ -127,13 +167,23 @@ static void print(const struct physics_context *context, FILE *file) {
             snprintf(how, sizeof how, "which fill %.3g of a mesh (volume and inertia of the mesh)",
                      clump->filled);
         fprintf(file,
-                "bodies '%s': %d spheres, %s; radius of the ball %.6g, volume %.6g, moments of inertia over "
-                "mass %.6g %.6g %.6g\n",
-                bodies->options->clump[k].name, clump->spheres, how, clump->extent, clump->volume,
-                clump->gyration[0], clump->gyration[1], clump->gyration[2]);
+                "bodies '%s': %d spheres, %s; as drawn: radius of the ball %.6g about %.6g %.6g %.6g, volume "
+                "%.6g, moments of inertia over mass %.6g %.6g %.6g\n",
+                bodies->options->clump[k].name, clump->spheres, how, clump->extent, clump->centre[0],
+                clump->centre[1], clump->centre[2], clump->volume, clump->gyration[0], clump->gyration[1],
+                clump->gyration[2]);
     }
-    fprintf(file, "  the stable time step takes each member with its share of the mass, and so is below that "
-                  "of the body\n");
+    print_made(context, k, file);
+}
+
+static void print(const struct physics_context *context, FILE *file) {
+    const struct bodies *bodies = context->self;
+    for (int k = 0; k < bodies->options->clumps; k++)
+        print_shape(context, k, file);
+    if (context->comm->rank == 0)
+        fprintf(file,
+                "  the stable time step takes each member with its share of the mass, and so is below that "
+                "of the body\n");
 }
 
 static const struct physics_pass passes[] = {{.name = "bodies",
@@ -143,14 +193,17 @@ static const struct physics_pass passes[] = {{.name = "bodies",
                                               .writes = "position orientation",
                                               .whole = step}};
 
+static const struct physics_maker maker = {.fill = fill};
+static const struct physics_shown shown = {.full_step = full_step};
+
 const struct physics bodies_physics = {.name = "bodies",
                                        .passes = sizeof passes / sizeof passes[0],
                                        .pass = passes,
                                        .check = check,
                                        .create = create,
                                        .destroy = destroy,
-                                       .fill = fill,
                                        .rebuilt = rebuilt,
-                                       .full_step = full_step,
                                        .print = print,
-                                       .restart = restart};
+                                       .restart = restart,
+                                       .maker = &maker,
+                                       .shown = &shown};

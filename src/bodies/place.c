@@ -2,12 +2,14 @@
 /* From grains to bodies: the grain becomes the particle of the body, and its members are appended. The first rebuild
  * brings members to the ranks that own their places. Read place.h first. */
 #include "bodies/place.h"
+#include "grains/grains.h"
 #include "bodies/fields.h"
 #include "bodies/rotor.h"
-#include "contact/material.h"
-#include "contact/spin.h"
+#include "particles/material.h"
+#include "particles/spin.h"
 #include "core/random.h"
-#include "integrate/groups.h"
+#include "particles/groups.h"
+#include "particles/fields.h"
 #include "particles/kinds.h"
 #include <inttypes.h>
 #include <math.h>
@@ -59,10 +61,13 @@ static void body_make(struct bodies *bodies, const struct physics_context *conte
     struct particles *p = context->particles;
     struct particle_state *state = &p->state[i];
     const uint8_t *group = groups_of(p);
-    const struct integrator_motion *motion = group ? &context->motion->motion[group[i]] : NULL;
+    const struct integrator_motion *motion = group ? &grains_motion(context)->motion[group[i]] : NULL;
     double *omega = spin_of(p)[i], *spin = bodies_spin(p)[i], *q = bodies_orientation(p)[i], turn[9];
+    double density = groups_mass(p, i) / particles_sphere_mass(state->radius, 1);
+    if (bodies->options->clump[number].size == CLUMP_AS_DRAWN)
+        state->radius = clump->extent;
     double scale = state->radius / clump->extent;
-    bodies_mass(p)[i] = clump_mass(clump, scale, groups_mass(p, i) / particles_sphere_mass(state->radius, 1));
+    bodies_mass(p)[i] = clump_mass(clump, scale, density);
     bodies_part(p)[i] = number;
     orientation_choose(context, &bodies->options->clump[number], clump, p->id[i], q);
     if (motion && motion->prescribed) {
@@ -104,7 +109,8 @@ static void member_append(const struct bodies *bodies, const struct physics_cont
            r[3];
     int32_t(*image)[3] = particles_images(p);
     uint8_t *material = material_numbers(p), *group = groups_of(p);
-    double *density = groups_densities(p), (*omega)[4] = spin_of(p);
+    double *density = groups_densities(p), (*omega)[4] = spin_of(p),
+           *temperature = fields_numbers(p, "temperature");
     rotor_matrix(bodies_orientation(p)[i], turn);
     rotor_turn(turn, clump->sphere[number].centre, r);
     for (int d = 0; d < 3; d++) {
@@ -125,6 +131,8 @@ static void member_append(const struct bodies *bodies, const struct physics_cont
         group[m] = group[i];
     if (density)
         density[m] = mass / particles_sphere_mass(state->radius, 1);
+    if (temperature)
+        temperature[m] = temperature[i];
     p->id[m] = id;
     carried_by(p)[m] = p->id[i];
     bodies_part(p)[m] = number;

@@ -2,7 +2,7 @@
 /* Describes and registers the fields of bonds: grains that turn, and the number of bonds. */
 #include "bonds/state.h"
 #include "comm/copies.h"
-#include "contact/spin.h"
+#include "particles/spin.h"
 #include "particles/kinds.h"
 
 static const struct field number = {

@@ -4,7 +4,7 @@
 #include "bonds/state.h"
 #include "comm/copies.h"
 #include "core/memory.h"
-#include "integrate/groups.h"
+#include "particles/groups.h"
 #include <math.h>
 #include <string.h>
 

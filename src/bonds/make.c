@@ -2,7 +2,7 @@
 /* Makes the bonds, once a run: between near particles, or from a list of ids. Read bonds.h first. */
 #include "bonds/state.h"
 #include "comm/comm.h"
-#include "contact/material.h"
+#include "particles/material.h"
 #include "core/memory.h"
 #include "files/lines.h"
 #include <math.h>

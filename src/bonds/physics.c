@@ -2,9 +2,10 @@
 /* Bonds as a physics: forces and moments of bonds, and their ends (engine/physics.h). Read bonds.h first. */
 #include "bonds/bonds.h"
 #include "bonds/state.h"
-#include "contact/spin.h"
+#include "particles/spin.h"
+#include "core/log.h"
 #include "core/memory.h"
-#include "integrate/groups.h"
+#include "particles/groups.h"
 #include "integrate/stability.h"
 #include "particles/kinds.h"
 #include "scene/scene.h"
@@ -72,7 +73,7 @@ static void destroy(void *self) {
     memory_free(bonds);
 }
 
-static struct history_rows *rows(const struct physics_context *context) {
+static struct history_rows *rows_of(const struct physics_context *context) {
     struct bonds *bonds = context->self;
     bonds_compact(bonds);
     return &bonds->rows;
@@ -83,6 +84,23 @@ static bool due(const struct physics_context *context) {
     return !bonds->made && at_time(bonds->options, context->clock);
 }
 
+/* Warns if there is no bond: units, or places, are then probably not what they should be. */
+static void none_tell(const struct bonds *bonds) {
+    const struct bonds_options *o = bonds->options;
+    int64_t sides = (int64_t)bonds->rows.count;
+    comm_sum_int(bonds->context->comm, &sides, 1);
+    if (sides > 0 || bonds->context->comm->rank > 0)
+        return;
+    if (o->list[0])
+        log_tell(bonds->context->log, "warning: bonds: there is no bond: %.300s lists none", o->list);
+    else
+        log_tell(bonds->context->log,
+                 "warning: bonds: there is no bond at t = %.6g: no two grains that bonds.laws serve are at "
+                 "most bonds.gap = "
+                 "%.6g apart",
+                 bonds->context->clock->time, o->gap);
+}
+
 /* True if the bonds were made in this rebuild: copies must then reach their partners. */
 static bool rebuilt_again(const struct physics_context *context) {
     struct bonds *bonds = context->self;
@@ -91,6 +109,8 @@ static bool rebuilt_again(const struct physics_context *context) {
         return false;
     }
     bonds_make(bonds);
+    if (bonds->error.kind == ERROR_NONE)
+        none_tell(bonds);
     bonds->links = 0; /* partners may be missing until the rebuild that follows */
     bonds->made = 1;
     bonds->made_step = context->clock->step;
@@ -239,10 +259,10 @@ static void count(const struct physics_context *context) {
     }
 }
 
-static void energy(const struct physics_context *context, double *stored, double *taken) {
+static void energy(const struct physics_context *context, struct physics_energy *energy) {
     const struct bonds *bonds = context->self;
-    *stored = bonds->stored;
-    *taken = bonds->taken;
+    energy->held = bonds->stored;
+    energy->taken = bonds->taken;
 }
 
 /* True if a bond that stands for the contact joins two particles, one of which is owned. */
@@ -344,26 +364,26 @@ static const struct physics_pass passes[] = {
     {.name = "bonds_finish", .stage = PASS_CLOSE, .timer = "bonds", .whole = finish},
     {.name = "bonds_count", .stage = PASS_LOOK, .writes = "bonds", .whole = count}};
 
+static const struct physics_rows rows = {
+    .of = rows_of, .components = BOND_COMPONENTS, .due = due, .again = rebuilt_again};
+static const struct physics_joints joints = {
+    .joined = joined, .joins = joins, .stiffen = stiffen, .stiffest = stiffest};
+static const struct physics_table table = {.open = bonds_table_open, .write = bonds_table_write};
+
+static const struct physics_search search = {
+    .interactions = 1, .interaction = {{.name = "bonds", .range = range}}, .range_of_self = true};
+
 const struct physics bonds_physics = {.name = "bonds",
-                                      .interactions = 1,
-                                      .interaction = {{.name = "bonds", .range = range}},
-                                      .range_of_self = true,
                                       .passes = sizeof passes / sizeof passes[0],
                                       .pass = passes,
                                       .check = check,
                                       .create = create,
                                       .destroy = destroy,
-                                      .rows = rows,
-                                      .row_components = BOND_COMPONENTS,
-                                      .due = due,
-                                      .rebuilt_again = rebuilt_again,
                                       .energy = energy,
-                                      .joined = joined,
-                                      .joins = joins,
-                                      .stiffen = stiffen,
-                                      .stiffest = stiffest,
                                       .guard = guard,
                                       .print = print,
                                       .restart = restart,
-                                      .table_open = bonds_table_open,
-                                      .table_write = bonds_table_write};
+                                      .rows = &rows,
+                                      .joints = &joints,
+                                      .table = &table,
+                                      .search = &search};

@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* Notices failed calls on files on one rank, below the library that makes the calls: MPI's profiling
- * interface intercepts the MPI calls by which HDF5 opens, reads, writes and closes files. */
+ * interface intercepts the MPI calls by which HDF5 opens, reads, writes and closes files. That needs these functions
+ * before those of MPI in the order of linking: in the program they are, in libscree, which shows its own names alone, they
+ * are not, and nothing is noticed. */
 #ifndef SCREE_COMM_FILES_H
 #define SCREE_COMM_FILES_H
 

@@ -2,7 +2,7 @@
 /* The force loop: the contact laws as a client of the walk over pairs. Read pairs/walk.h first. */
 #include "contact/force.h"
 #include "contact/force_general.h"
-#include "contact/spin.h"
+#include "particles/spin.h"
 #include "core/memory.h"
 #include <assert.h>
 #include <string.h>

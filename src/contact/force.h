@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* The threaded force loop: the contact laws as a client of the walk over pairs (pairs/walk.h). A cheap
  * vectorised distance filter over the flat pairs of a block comes first, then the contacts that really touch,
- * in batches (docs/performance.md). The functions work block by block, so that the step may run other passes
+ * in batches (docs/performance-journal.md). The functions work block by block, so that the step may run other passes
  * on a block just before or after (docs/architecture.md). */
 #ifndef SCREE_CONTACT_FORCE_H
 #define SCREE_CONTACT_FORCE_H

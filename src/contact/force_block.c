@@ -7,7 +7,7 @@
 #include "contact/force_physics.h"
 #include "contact/law_general.h"
 #include "contact/law_user.h"
-#include "contact/material.h"
+#include "particles/material.h"
 
 /* True if all contacts of the batch are between the same two materials, in the same order. */
 static inline bool force_alike(const uint8_t *material, const struct walk_batch *restrict b) {
@@ -28,22 +28,23 @@ static inline void force_mix(const struct law *law, struct force_thread *thread)
     const uint8_t *material = thread->material;
     struct force_batch *b = &thread->batch;
     const int p = material_of(material, b->walk.i[0]), q = material_of(material, b->walk.j[0]);
-    const int alike = force_alike(material, &b->walk) ? p * LAW_MATERIALS_MAX + q : FORCE_UNLIKE;
+    const int alike = force_alike(material, &b->walk) ? p * law->materials + q : FORCE_UNLIKE;
     if (alike == FORCE_UNLIKE)
         for (int k = 0; k < b->walk.padded; k++)
             force_set_coefficients(
-                b, k, &law->pair[material_of(material, b->walk.i[k])][material_of(material, b->walk.j[k])]);
+                b, k,
+                law_pair_of(law, material_of(material, b->walk.i[k]), material_of(material, b->walk.j[k])));
     else if (alike != thread->alike)
         for (int k = 0; k < FORCE_BATCH; k++)
-            force_set_coefficients(b, k, &law->pair[p][q]);
+            force_set_coefficients(b, k, law_pair_of(law, p, q));
     thread->alike = alike;
 }
 
 /* What contact k of a law with parts takes of the materials p and q. */
 static inline void force_set_parts(const struct law *law, struct force_batch *b, int k, int p, int q) {
-    force_set_coefficients(b, k, &law->pair[p][q]);
-    force_set_sticky(b, k, &law->sticky[p][q]);
-    b->extra[k] = &law->extra[p][q];
+    force_set_coefficients(b, k, law_pair_of(law, p, q));
+    force_set_sticky(b, k, law_sticky_at(law, p, q));
+    b->extra[k] = law_extra_of(law, p, q);
 }
 
 static void force_mix_parts(const struct law *law, const uint8_t *material, struct force_batch *b) {
@@ -52,10 +53,10 @@ static void force_mix_parts(const struct law *law, const uint8_t *material, stru
                                      law->memory.past < 0 ? 0 : FORCE_STICKY - FORCE_STICKY_PAST};
     for (int k = 0; k < b->walk.padded; k++) {
         int p = material_of(material, b->walk.i[k]), q = material_of(material, b->walk.j[k]);
-        force_set_coefficients(b, k, &law->pair[p][q]);
-        force_set_slice(b, k, &law->sticky[p][q], cohesion);
-        force_set_slice(b, k, &law->sticky[p][q], past);
-        b->extra[k] = &law->extra[p][q];
+        force_set_coefficients(b, k, law_pair_of(law, p, q));
+        force_set_slice(b, k, law_sticky_at(law, p, q), cohesion);
+        force_set_slice(b, k, law_sticky_at(law, p, q), past);
+        b->extra[k] = law_extra_of(law, p, q);
     }
 }
 
@@ -105,7 +106,7 @@ static void force_begin(struct force_thread *thread, const struct force_context 
         return;
     thread->respond = force_respond_find(options, context->want_sums);
     for (int k = 0; options->user && k < FORCE_BATCH; k++)
-        force_parameters(options->user, &thread->batch, k, &context->law->extra[0][0]);
+        force_parameters(options->user, &thread->batch, k, law_extra_of(context->law, 0, 0));
 }
 
 static void force_compute(const struct walk_task *task, struct walk_batch *batch) {
@@ -117,8 +118,8 @@ static void force_compute(const struct walk_task *task, struct walk_batch *batch
     const struct law_user *user = context->law->options.user;
     for (int k = 0; user && !context->law->uniform && k < batch->padded; k++)
         force_parameters(user, &thread->batch, k,
-                         &context->law->extra[material_of(thread->material, batch->i[k])]
-                                             [material_of(thread->material, batch->j[k])]);
+                         law_extra_of(context->law, material_of(thread->material, batch->i[k]),
+                                      material_of(thread->material, batch->j[k])));
     if (user)
         force_ask(user, &thread->batch);
     thread->respond(&thread->batch, thread->step);

@@ -2,8 +2,8 @@
 /* The list of present contacts, for output: a plain loop over the pairs with the law of the force loop. */
 #include "contact/force.h"
 #include "contact/law_general.h"
-#include "contact/material.h"
-#include "contact/spin.h"
+#include "particles/material.h"
+#include "particles/spin.h"
 #include "core/memory.h"
 
 /* A walk over the history records of one thread, in the order of the thread's pairs. */
@@ -45,7 +45,7 @@ static void force_pair_general(const struct force_context *context, size_t k, co
     const struct particles *p = context->particles;
     const uint8_t *material = material_numbers(p);
     size_t i = context->list->i[k], j = pair_partner(context->list->j[k]);
-    all->extra = &context->law->extra[material_of(material, i)][material_of(material, j)];
+    all->extra = law_extra_of(context->law, material_of(material, i), material_of(material, j));
     all->radius[0] = p->state[i].radius;
     all->radius[1] = p->state[j].radius;
     for (int c = 0; record && context->law->general && c < context->law->history_components; c++)
@@ -75,13 +75,13 @@ static bool force_pair_contact(const struct force_context *context, size_t k, co
     double distance = sqrt(square), inertia = si->inverse_mass + sj->inverse_mass;
     struct law_case law = law_case_of(&context->law->options, false);
     *all = (struct law_general){0};
-    *in = (struct law_contact){.overlap = reach - distance,
-                               .mass = inertia > 0.0 ? 1.0 / inertia : 0.0,
-                               .radius = si->radius * sj->radius / reach,
-                               .normal = law_scale(distance > 0.0 ? 1.0 / distance : 0.0, d),
-                               .velocity = force_difference(sj->v, si->v),
-                               .coefficients =
-                                   context->law->pair[material_of(material, i)][material_of(material, j)]};
+    *in = (struct law_contact){
+        .overlap = reach - distance,
+        .mass = inertia > 0.0 ? 1.0 / inertia : 0.0,
+        .radius = si->radius * sj->radius / reach,
+        .normal = law_scale(distance > 0.0 ? 1.0 / distance : 0.0, d),
+        .velocity = force_difference(sj->v, si->v),
+        .coefficients = *law_pair_of(context->law, material_of(material, i), material_of(material, j))};
     in->half_normal = in->normal;
     if (context->list->moves)
         in->velocity = law_add(in->velocity, 1.0, (struct law_vector){drift[0], drift[1], drift[2]});

@@ -2,6 +2,7 @@
 /* From a scene's options and materials to the coefficients of each pair of materials. */
 #include "contact/law.h"
 #include "contact/law_restitution.h"
+#include "core/memory.h"
 #include <math.h>
 #include <string.h>
 
@@ -147,8 +148,8 @@ static bool law_has_parts(const struct law *law) {
                    o->lammps_granular;
     for (int a = 0; a < law->materials; a++)
         for (int b = 0; b <= a; b++) {
-            const struct law_extra *x = &law->extra[a][b];
-            general = general || (law->spin && x->static_friction > law->pair[a][b].friction) ||
+            const struct law_extra *x = law_extra_of(law, a, b);
+            general = general || (law->spin && x->static_friction > law_pair_of(law, a, b)->friction) ||
                       (o->rolling == LAW_ROLLING_SPRING && x->rolling_stiffness > 0.0);
         }
     return general;
@@ -169,7 +170,7 @@ static void law_lay_out(struct law *law) {
     int next = 0;
     for (int a = 0; a < law->materials; a++)
         for (int b = 0; b <= a; b++)
-            apart = apart || law->extra[a][b].static_friction > law->pair[a][b].friction;
+            apart = apart || law_extra_of(law, a, b)->static_friction > law_pair_of(law, a, b)->friction;
     law->memory.spring =
         law_place(&next, law->spin && !o->solved && o->tangential != LAW_TANGENTIAL_VISCOUS, 3);
     law->memory.roll = law_place(
@@ -184,9 +185,26 @@ static void law_lay_out(struct law *law) {
     law->history_components = next;
 }
 
+/* Fills the entries of the materials a and b. */
+static void law_fill(struct law *law, const struct law_material *material, const struct law_pair *pair, int a,
+                     int b) {
+    size_t there = law_place_of(law->materials, a, b), back = law_place_of(law->materials, b, a);
+    law->pair[there] = law->pair[back] = law_combine(&law->options, &material[a], &material[b], pair);
+    law->extra[there] = law->extra[back] = pair->extra;
+    law->sticky[there] = law->sticky[back] =
+        law_sticky_of(law->options.cohesion, &law->pair[there], &pair->extra);
+}
+
+static bool law_is_uniform(const struct law *law) {
+    bool uniform = true;
+    for (size_t k = 1; k < (size_t)law->materials * (size_t)law->materials; k++)
+        uniform = uniform && memcmp(&law->pair[k], law->pair, sizeof *law->pair) == 0 &&
+                  memcmp(&law->extra[k], law->extra, sizeof *law->extra) == 0;
+    return uniform;
+}
+
 bool law_prepare(struct law *law, const struct law_options *options, int materials,
-                 const struct law_material *material,
-                 struct law_pair pair[LAW_MATERIALS_MAX][LAW_MATERIALS_MAX], struct error *error) {
+                 const struct law_material *material, const struct law_pair *pair, struct error *error) {
     memset(law, 0, sizeof *law);
     if (!law_check_options(options, materials, error))
         return false;
@@ -194,28 +212,32 @@ bool law_prepare(struct law *law, const struct law_options *options, int materia
         if (!law_check_material(&material[a], options, error))
             return false;
     for (int a = 0; a < materials; a++)
-        for (int b = a; b < materials; b++) {
-            if (!law_check_pair(&pair[a][b], options, material[a].name, material[b].name, error))
+        for (int b = a; b < materials; b++)
+            if (!law_check_pair(&pair[law_place_of(materials, a, b)], options, material[a].name,
+                                material[b].name, error))
                 return false;
-            law->pair[a][b] = law_combine(options, &material[a], &material[b], &pair[a][b]);
-            law->pair[b][a] = law->pair[a][b];
-            law->extra[a][b] = law->extra[b][a] = pair[a][b].extra;
-            law->sticky[a][b] = law->sticky[b][a] =
-                law_sticky_of(options->cohesion, &law->pair[a][b], &pair[a][b].extra);
-        }
+    size_t entries = materials > 0 ? (size_t)materials * (size_t)materials : 1;
     law->options = *options;
     law->materials = materials;
+    law->pair = memory_allocate_zero(entries, sizeof *law->pair, "coefficients of contacts");
+    law->extra = memory_allocate_zero(entries, sizeof *law->extra, "coefficients of contacts");
+    law->sticky = memory_allocate_zero(entries, sizeof *law->sticky, "coefficients of contacts");
     if (materials == 0)
         return true;
-    law->moduli = law_has_moduli(options);
-    law->uniform = true;
     for (int a = 0; a < materials; a++)
-        for (int b = 0; b < materials; b++)
-            law->uniform = law->uniform &&
-                           memcmp(&law->pair[a][b], &law->pair[0][0], sizeof law->pair[a][b]) == 0 &&
-                           memcmp(&law->extra[a][b], &law->extra[0][0], sizeof law->extra[a][b]) == 0;
+        for (int b = a; b < materials; b++)
+            law_fill(law, material, &pair[law_place_of(materials, a, b)], a, b);
+    law->moduli = law_has_moduli(options);
+    law->uniform = law_is_uniform(law);
     law->spin = options->tangential != LAW_FRICTIONLESS;
     law->general = law_has_parts(law);
     law_lay_out(law);
     return true;
+}
+
+void law_free(struct law *law) {
+    memory_free(law->pair);
+    memory_free(law->extra);
+    memory_free(law->sticky);
+    *law = (struct law){0};
 }

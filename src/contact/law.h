@@ -24,7 +24,8 @@
 #include "contact/law_table.h"
 #include "core/error.h"
 
-enum { LAW_MATERIALS_MAX = 32, LAW_MEMORY_MAX = 12 };
+/* Materials of a scene at most: a particle keeps the number of its material in a byte. */
+enum { LAW_MATERIALS_MAX = 255, LAW_MEMORY_MAX = 12 };
 
 /* The velocity of the tangential damper while the contact slides. SERIES: the rate of change of the spring,
  * as the slider is in series with spring and damper (energy is never made). TOTAL: the whole slip velocity;
@@ -75,15 +76,30 @@ struct law {
     bool general;  /* the law has parts: contacts go through law_general.h */
     int materials; /* 0: no law, nothing touches */
     bool uniform;  /* all pairs of materials have the same coefficients */
-    struct law_coefficients pair[LAW_MATERIALS_MAX][LAW_MATERIALS_MAX]; /* symmetric */
-    bool moduli; /* springs come from young and poisson of the materials */
-    struct law_extra extra[LAW_MATERIALS_MAX][LAW_MATERIALS_MAX];   /* symmetric; of a law with parts */
-    struct law_sticky sticky[LAW_MATERIALS_MAX][LAW_MATERIALS_MAX]; /* symmetric; of a law with cohesion */
+    bool moduli;   /* springs come from young and poisson of the materials */
+    /* By two materials (law_place_of), symmetric; one entry without materials. Owned */
+    struct law_coefficients *pair;
+    struct law_extra *extra;   /* of a law with parts */
+    struct law_sticky *sticky; /* of a law with cohesion */
     struct law_memory memory;
     int history_components; /* doubles of history a contact */
     int history_odd;        /* as many of them are components of vectors */
     bool spin;              /* particles need angular velocity and torque */
 };
+
+/* The place of two materials in a table of materials x materials entries, and in those of a law. Any thread. */
+LAW_INLINE size_t law_place_of(int materials, int a, int b) {
+    return (size_t)a * (size_t)materials + (size_t)b;
+}
+LAW_INLINE const struct law_coefficients *law_pair_of(const struct law *law, int a, int b) {
+    return &law->pair[law_place_of(law->materials, a, b)];
+}
+LAW_INLINE const struct law_extra *law_extra_of(const struct law *law, int a, int b) {
+    return &law->extra[law_place_of(law->materials, a, b)];
+}
+LAW_INLINE const struct law_sticky *law_sticky_at(const struct law *law, int a, int b) {
+    return &law->sticky[law_place_of(law->materials, a, b)];
+}
 
 /* The defaults: hertz, restitution, end at zero force, history, no rolling. */
 struct law_options law_options_default(void);
@@ -102,12 +118,13 @@ double law_duration_of(const struct law_options *options, const struct law_coeff
  * radius. Without materials -INFINITY. Any thread. */
 double law_range(const struct law *law, double radius_a, double radius_b);
 
-/* Makes the table of coefficients from the entries pair[a][b], a <= b < materials. Fails (user) on values out
- * of range or options that do not go together. Without materials there is no law to check: nothing touches,
- * has friction or a history. One thread. */
+/* Makes the tables of coefficients from the entries of a <= b in `pair` (materials x materials, law_place_of). Fails (user)
+ * on values out of range or options that do not go together; `law` then holds nothing. Without materials there is no
+ * law to check: nothing touches, has friction or a history. law_free releases; it takes a law that is all zero, too. One
+ * thread. */
 bool law_prepare(struct law *law, const struct law_options *options, int materials,
-                 const struct law_material *material,
-                 struct law_pair pair[LAW_MATERIALS_MAX][LAW_MATERIALS_MAX], struct error *error);
+                 const struct law_material *material, const struct law_pair *pair, struct error *error);
+void law_free(struct law *law);
 
 /* Fails (user) where a part does not combine with the law, or two parts exclude each other; the message names what
  * does combine. Any thread. */

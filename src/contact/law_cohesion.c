@@ -75,8 +75,9 @@ double law_cohesion_largest(enum law_cohesion cohesion, const struct law_surface
 static double law_pair_range(const struct law *law, int a, int b, double radius_a, double radius_b) {
     const struct law_form *form = law_form_of(&law->options);
     double effective = 1.0 / (1.0 / radius_a + 1.0 / radius_b);
-    struct law_surfaces surfaces = {&law->pair[a][b], &law->extra[a][b], {radius_a, radius_b}, effective};
-    double range = form->range ? form->range(&law->pair[a][b], radius_a, radius_b) : 0.0;
+    struct law_surfaces surfaces = {
+        law_pair_of(law, a, b), law_extra_of(law, a, b), {radius_a, radius_b}, effective};
+    double range = form->range ? form->range(law_pair_of(law, a, b), radius_a, radius_b) : 0.0;
     return fmax(range, law_cohesion_range(&law->options, &surfaces));
 }
 

@@ -14,10 +14,22 @@ struct law_step law_general_step(const struct law_options *options, double dt) {
     return step;
 }
 
-/* Energy lost by plastic flow in this step: the work of the elastic force less what it stores more. */
-static double plastic_loss(const struct law *law, const struct law_surfaces *surfaces,
-                           const struct law_grip *now, double overlap, double growth, struct law_past past) {
-    if (law->memory.past < 0 || !now->touches)
+/* Energy lost as a bridge or an adhesive contact forms: at touch its energy jumps from 0 to that of the pull. A contact that
+ * has no record, and overlapped one step ago, was there at the start of the run. */
+static double forming_loss(const struct law *law, const struct law_surfaces *surfaces, double overlap,
+                           double growth, const struct law_past *before) {
+    if (law->memory.held < 0 || before->held || !(overlap > 0.0) || overlap - growth > 0.0)
+        return 0.0;
+    return -law_grip_at(&law->options, surfaces, 0.0, &(struct law_past){.held = true}).energy;
+}
+
+/* Energy lost by plastic flow in this step, or as the contact forms: the work of the elastic force less what it stores
+ * more. */
+static double grip_loss(const struct law *law, const struct law_surfaces *surfaces,
+                        const struct law_grip *now, double overlap, double growth, struct law_past past) {
+    if (law->memory.past < 0)
+        return forming_loss(law, surfaces, overlap, growth, &past);
+    if (!now->touches)
         return 0.0;
     struct law_grip before = law_grip_at(&law->options, surfaces, overlap - growth, &past);
     return 0.5 * (now->force + before.force) * growth - (now->energy - before.energy);
@@ -30,16 +42,9 @@ bool law_general_rubs(const struct law *law) {
                  !o->lammps_granular && law->memory.slides < 0;
     for (int a = 0; a < law->materials; a++)
         for (int b = 0; b <= a; b++)
-            plain = plain && !(o->rolling == LAW_ROLLING_SPRING && law->extra[a][b].rolling_stiffness > 0.0);
+            plain = plain &&
+                    !(o->rolling == LAW_ROLLING_SPRING && law_extra_of(law, a, b)->rolling_stiffness > 0.0);
     return plain;
-}
-
-/* Reads what a contact remembers of the normal direction. */
-static struct law_past past_of(const struct law *law, const double *value) {
-    struct law_past past = {.held = law->memory.held >= 0 && value[law->memory.held] != 0.0};
-    for (int k = 0; law->memory.past >= 0 && k < law_form_of(&law->options)->remembers; k++)
-        past.number[k] = value[law->memory.past + k];
-    return past;
 }
 
 static void past_put(const struct law *law, const struct law_past *past, double *value) {
@@ -55,7 +60,7 @@ bool law_general_push(const struct law *law, struct law_step step, struct law_ge
     const struct law_contact *contact = &in->contact;
     struct law_surfaces surfaces = {
         &contact->coefficients, in->extra, {in->radius[0], in->radius[1]}, contact->radius};
-    struct law_past past = past_of(law, in->value);
+    struct law_past past = law_grip_past(law, in->value);
     past.no_energy = !step.energies;
     struct law_past before = past;
     struct law_grip grip = law_grip_at(options, &surfaces, contact->overlap, &past);
@@ -85,7 +90,7 @@ bool law_general_respond(const struct law *law, struct law_step step, struct law
         out->normal_energy = push.grip.energy;
         out->taken =
             (push.grip.force - push.force) * push.rate * step.dt +
-            plastic_loss(law, &surfaces, &push.grip, contact->overlap, -push.rate * step.dt, push.before);
+            grip_loss(law, &surfaces, &push.grip, contact->overlap, -push.rate * step.dt, push.before);
     }
     if (law->spin)
         law_resist(law, step, in, &(struct law_hold){&push.grip, push.press, push.base}, out);

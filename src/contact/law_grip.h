@@ -21,7 +21,7 @@ struct law_grip {
     double force;   /* elastic and cohesive; positive: repulsion */
     double least;   /* the damper may pull no harder than to this force, where it may not pull (end: force) */
     double press;   /* what friction's limit adds to the force */
-    double a;       /* contact radius */
+    double a;       /* contact radius; also law_grip_radius */
     double spring;  /* force of the spring / overlap; of JKR k_n a: sets the damper of a restitution */
     double factor;  /* of a given damping coefficient */
     double tangent; /* d force / d overlap, for the stable step */
@@ -38,7 +38,7 @@ struct law_past {
 
 /* JKR at the overlap `depth` of spheres with the effective radius `radius`; updates `held`. `s`: law_jkr_length. Arithmetic without
  * branches, as the next one: loops over contacts vectorise (force_grip.h). As a^2/R* = d + s sqrt(a), the force is
- * 2/3 E* a (2 d - s sqrt(a)). The energy counts from a = 0. */
+ * 2/3 E* a (2 d - s sqrt(a)). The energy counts from a = 0; law_grip_at lets it count from where the contact breaks. */
 LAW_INLINE struct law_grip law_grip_jkr(const struct law_coefficients *c, double s, double gamma,
                                         double radius, double depth, enum law_jkr_end end, bool *held) {
     double modulus = law_modulus(c);
@@ -85,6 +85,23 @@ LAW_INLINE struct law_grip law_grip_join(enum law_cohesion cohesion, const struc
 /* The normal direction at an overlap (negative: a gap); updates `past`. */
 struct law_grip law_grip_at(const struct law_options *options, const struct law_surfaces *surfaces,
                             double overlap, struct law_past *past);
+
+/* What a contact remembers of the normal direction, from its record in the history. */
+LAW_INLINE struct law_past law_grip_past(const struct law *law, const double *value) {
+    struct law_past past = {.held = law->memory.held >= 0 && value[law->memory.held] != 0.0};
+    for (int k = 0; law->memory.past >= 0 && k < law_form_of(&law->options)->remembers; k++)
+        past.number[k] = value[law->memory.past + k];
+    return past;
+}
+
+/* True if the contact radius depends on what the contact remembers: necks of JKR, and surfaces that have flowed. */
+bool law_grip_radius_recalls(const struct law *law);
+
+/* The contact radius at an overlap (negative: a gap), 0 if the surfaces do not touch. `record`: the contact's record in the
+ * history, after this step's forces or before; NULL: it has none. JKR: that of its state, necks under tension included; surfaces
+ * that have flowed: that of the flattened spheres; every other law and cohesion: sqrt(R* overlap). Any thread. */
+double law_grip_radius(const struct law *law, const struct law_surfaces *surfaces, double overlap,
+                       const double *record);
 
 /* The overlap at which the elastic force and cohesion cancel, length; 0 without cohesion. */
 double law_grip_rest(const struct law_options *options, const struct law_surfaces *surfaces);

@@ -182,7 +182,7 @@ LAW_INLINE struct law_response law_respond(struct law_case law, struct law_step 
     double base = law.coefficient ? in->mass * springs.contact : sqrt(in->mass * springs.stiffness);
     double rate = law_dot(in->velocity, in->normal);
     double force = springs.force - in->coefficients.c_n * base * rate;
-    force = force > step.force_least ? force : step.force_least;
+    force = force <= step.force_least ? step.force_least : force; /* a force that is no number stays one */
     out.force = law_scale(force, in->normal);
     if (law.energies) {
         out.normal_energy = springs.energy;

@@ -4,6 +4,7 @@
 #include "contact/law_user.h"
 #include "core/checksum.h"
 #include "core/memory.h"
+#include "core/program.h"
 #include <dlfcn.h>
 #include <errno.h>
 #include <stdio.h>
@@ -11,16 +12,12 @@
 #include <string.h>
 #include <unistd.h>
 
-enum { PATH_MOST = 1024, COMMAND_MOST = 6 * PATH_MOST, TOLD_MOST = 1500 };
+enum { PATH_MOST = 1024, WORDS_MOST = 16, TOLD_MOST = 1500 };
 
 /* The text of scree_law.h, so that a run needs no installed header. */
 static const char header[] =
 #include "contact/scree_law.text"
     ;
-
-/* The flags of scree's own loops: the same bits on any instruction set. */
-#define FLAGS                                                                                                \
-    "-std=gnu11 -O3 -fopenmp-simd -ffp-contract=off -fno-math-errno -fno-trapping-math -fPIC -shared -w"
 
 /* A temporary folder with three files. */
 struct place {
@@ -72,37 +69,43 @@ static bool write_all(const char *path, const void *bytes, size_t size, struct e
     return good || error_set_errno(error, "%s", path);
 }
 
-/* Appends `text` in single quotes for a shell. */
-static void quote(char *command, size_t room, const char *text) {
-    size_t at = strlen(command);
-    for (; *text && at + 6 < room; text++) {
-        if (*text == '\'') {
-            memcpy(command + at, "'\\''", 4);
-            at += 4;
-        } else {
-            command[at++] = *text;
-        }
-    }
-    command[at] = '\0';
-}
-
+/* Compiles the file. The environment variable CC may hold flags behind the name of the compiler. */
 static bool run_compiler(const struct place *place, const char *path, const char *level,
                          struct error *error) {
     const char *given = getenv("CC"), *compiler = given && given[0] ? given : "cc";
-    const char *march = strcmp(level, "baseline") == 0 ? "" : level;
-    char command[COMMAND_MOST];
-    snprintf(command, sizeof command, "%.512s " FLAGS "%s%s -I '", compiler, march[0] ? " -march=" : "",
-             march);
-    quote(command, sizeof command, place->folder);
-    strcat(command, "' -o '");
-    quote(command, sizeof command, place->object);
-    strcat(command, "' '");
-    quote(command, sizeof command, path);
-    strcat(command, "' -lm >'");
-    quote(command, sizeof command, place->told);
-    strcat(command, "' 2>&1");
-    int status = system(command);
-    if (status == 0 && access(place->object, R_OK) == 0)
+    /* the flags of scree's own loops: the same bits on any instruction set */
+    const char *own[] = {"-std=gnu11",
+                         "-O3",
+                         "-fopenmp-simd",
+                         "-ffp-contract=off",
+                         "-fno-math-errno",
+                         "-fno-trapping-math",
+                         "-fPIC",
+                         "-shared",
+                         "-w",
+                         NULL,
+                         "-I",
+                         NULL,
+                         "-o",
+                         NULL,
+                         NULL,
+                         "-lm",
+                         NULL};
+    char words[PATH_MOST], march[64], file[PATH_MOST + 2], *rest = words;
+    const char *command[WORDS_MOST + sizeof own / sizeof own[0]];
+    struct error failed = {0};
+    int count = 0;
+    snprintf(words, sizeof words, "%s", compiler);
+    snprintf(march, sizeof march, "-march=%s", level);
+    snprintf(file, sizeof file, "%s%s", path[0] == '-' ? "./" : "", path); /* a name, no flag */
+    own[9] = strcmp(level, "baseline") == 0 ? "-w" : march;
+    own[11] = place->folder;
+    own[13] = place->object;
+    own[14] = file;
+    while (count < WORDS_MOST && (command[count] = strtok_r(rest, " \t", &rest)) != NULL)
+        count++;
+    memcpy(command + count, own, sizeof own);
+    if (program_run(command, NULL, place->told, "gcc", &failed) && access(place->object, R_OK) == 0)
         return true;
     size_t size;
     char *told = read_all(place->told, &size);
@@ -110,7 +113,7 @@ static bool run_compiler(const struct place *place, const char *path, const char
         told[--size] = '\0';
     error_set(error, ERROR_USER,
               "%s: %s does not compile it (the environment variable CC names the compiler):\n%.*s", path,
-              compiler, TOLD_MOST, told ? told : "");
+              compiler, TOLD_MOST, told && told[0] ? told : failed.text);
     memory_free(told);
     return false;
 }

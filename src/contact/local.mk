@@ -45,11 +45,7 @@ libcontact_la_SOURCES = \
 	src/contact/law_spheres.h \
 	src/contact/law_vector.h \
 	src/contact/law_table.h \
-	src/contact/law_thornton.h \
-	src/contact/material.c \
-	src/contact/material.h \
-	src/contact/spin.c \
-	src/contact/spin.h
+	src/contact/law_thornton.h
 libcontact_la_CPPFLAGS = $(AM_CPPFLAGS) $(KERNEL_CPPFLAGS)
 libcontact_la_LIBADD = libforce_baseline.la
 

@@ -12,6 +12,8 @@ libcore_la_SOURCES = \
 	src/core/log.h \
 	src/core/memory.c \
 	src/core/memory.h \
+	src/core/program.c \
+	src/core/program.h \
 	src/core/random.c \
 	src/core/random.h \
 	src/core/scan.c \

@@ -26,6 +26,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include <sys/mman.h>
+#include <sys/resource.h>
 
 enum { PAGE_HUGE = 2 << 20, LARGE = 4 << 20, OFFSETS = 32, OFFSET_STEP = 2 * MEMORY_ALIGNMENT };
 
@@ -225,19 +226,37 @@ void memory_peak_reset(void) {
     atomic_store(&bytes_peak, atomic_load(&bytes_in_use));
 }
 
+/* The number behind `name` in a file of the system, or the first one if the name is empty, times `unit`; SIZE_MAX where there is
+ * none. */
+static size_t system_number(const char *path, const char *name, size_t unit) {
+    FILE *file = fopen(path, "r");
+    size_t number = SIZE_MAX, length = strlen(name);
+    char line[256];
+    while (file && number == SIZE_MAX && fgets(line, sizeof line, file) != NULL)
+        if (strncmp(line, name, length) == 0 && sscanf(line + length, "%zu", &number) == 1)
+            number *= unit;
+    if (file)
+        fclose(file);
+    return number;
+}
+
 /* Reads VmHWM, not getrusage: getrusage also counts the memory of the process before exec. */
 size_t memory_peak_resident(void) {
-    FILE *status = fopen("/proc/self/status", "r");
-    if (status == NULL) {
-        return 0;
-    }
-    char line[256];
-    size_t kibibytes = 0;
-    while (fgets(line, sizeof line, status) != NULL) {
-        if (sscanf(line, "VmHWM: %zu", &kibibytes) == 1) {
-            break;
-        }
-    }
-    fclose(status);
-    return kibibytes * 1024;
+    size_t bytes = system_number("/proc/self/status", "VmHWM:", 1024);
+    return bytes == SIZE_MAX ? 0 : bytes;
+}
+
+static size_t smaller_room(size_t room, size_t most, size_t used) {
+    size_t left = most == SIZE_MAX || used == SIZE_MAX ? SIZE_MAX : most > used ? most - used : 0;
+    return left < room ? left : room;
+}
+
+size_t memory_room(void) {
+    struct rlimit limit;
+    size_t room = system_number("/proc/meminfo", "MemAvailable:", 1024);
+    room = smaller_room(room, system_number("/sys/fs/cgroup/memory.max", "", 1),
+                        system_number("/sys/fs/cgroup/memory.current", "", 1));
+    if (getrlimit(RLIMIT_AS, &limit) == 0 && limit.rlim_cur != RLIM_INFINITY)
+        room = smaller_room(room, limit.rlim_cur, system_number("/proc/self/status", "VmSize:", 1024));
+    return room;
 }

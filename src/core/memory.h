@@ -5,6 +5,7 @@
 #define SCREE_CORE_MEMORY_H
 
 #include <stddef.h>
+#include <stdint.h>
 
 enum { MEMORY_ALIGNMENT = 64 };
 
@@ -33,6 +34,10 @@ size_t memory_peak(void);
 
 /* Sets the largest value to the bytes held now. */
 void memory_peak_reset(void);
+
+/* Bytes that the process can still get, by the machine's free memory, the limit of its control group and the limit of its
+ * address space (ulimit -v); SIZE_MAX where nothing is known. Ranks on one machine share the free memory. */
+size_t memory_room(void);
 
 /* The peak resident set of the process in bytes, as the operating system counts it (0 where unknown). */
 size_t memory_peak_resident(void);

@@ -67,11 +67,13 @@ static const struct physics_pass pass = {.name = "number_density",
                                          .reads = "position",
                                          .writes = "number_density",
                                          .whole = sum};
+static const struct physics_search search = {.interactions = 1,
+                                             .interaction = {{.name = "number density", .range = range}}};
+
 const struct physics density_physics = {.name = "density",
                                         .box_moves = true,
-                                        .interactions = 1,
-                                        .interaction = {{.name = "number density", .range = range}},
                                         .create = create,
                                         .destroy = destroy,
                                         .passes = 1,
-                                        .pass = &pass};
+                                        .pass = &pass,
+                                        .search = &search};

@@ -4,7 +4,7 @@
 #include "drag/drag_own.h"
 #include "drag/fields.h"
 #include "drag/porosity.h"
-#include "integrate/groups.h"
+#include "particles/groups.h"
 #include "observe/observables_kinds.h"
 #include "physics_table.h"
 #include "scene/schema_rows.h"

@@ -8,7 +8,7 @@
 #include "drag/porosity.h"
 #include "engine/physics.h"
 #include "fluid/dust.h"
-#include "integrate/groups.h"
+#include "particles/groups.h"
 #include "particles/kinds.h"
 #include <math.h>
 #include <string.h>
@@ -76,6 +76,11 @@ static bool check(const struct physics_context *context, struct error *error) {
         return scene_fail(context->scene, error, "drag.largest",
                           "fluid.grains.unresolved says which grains feel drag; allowed beside that key: no "
                           "drag.largest");
+    if (!resolved && options->fluids > 0 && context->scene->physics_given[PHYSICS_fluid])
+        return scene_fail(
+            context->scene, error, "drag.fluid",
+            "is a second fluid beside the section `fluid`, which moves the grains itself; allowed beside it: "
+            "fluid.grains.unresolved, and no drag.fluid");
     if (!resolved && options->fluids == 0)
         return scene_fail(
             context->scene, error, "drag.fluid",
@@ -140,12 +145,14 @@ static double factor_of(const struct physics_context *context, size_t i, double 
                            .viscosity = drag->viscosity,
                            .diameter = 2 * state->radius,
                            .porosity = porosity ? porosity[i] : 1};
-    double square = 0, moved = drag->resolved ? 1 : at.porosity;
+    double square = 0, moved = drag->resolved ? 1 : at.porosity, flow[3] = {0};
     drag_velocity(drag, time, slip);
     if (drag->resolved) /* before the first lists no grain has seen the fluid: without slip K is least */
         memcpy(slip, context->list[0] ? dust_seen(context->particles)[i] : state->v, 3 * sizeof *slip);
+    if (context->box->motion.moves) /* the fluid moves with the box, or an image would feel another drag */
+        box_flow(context->box, state->x, flow);
     for (int d = 0; d < 3; d++) {
-        slip[d] = d < context->box->dimension ? slip[d] - moved * state->v[d] : 0;
+        slip[d] = d < context->box->dimension ? slip[d] - moved * (state->v[d] - flow[d]) : 0;
         square += slip[d] * slip[d];
     }
     at.speed = sqrt(square);
@@ -158,7 +165,7 @@ static void act(const struct physics_context *context, int thread) {
     struct drag *drag = context->self;
     struct particles *p = context->particles;
     const uint8_t *kind = kinds_of(p);
-    const double *gravity = context->motion->gravity, half = 0.5 * context->clock->dt;
+    const double *gravity = context->scene->gravity, half = 0.5 * context->clock->dt;
     double(*law)[3] = (double(*)[3])drag_force(p), (*taken)[4] = dust_force(p), given = 0;
     size_t first = p->owned * (size_t)thread / (size_t)context->threads;
     size_t last = p->owned * ((size_t)thread + 1) / (size_t)context->threads;
@@ -194,8 +201,8 @@ static void add(const struct physics_context *context) {
         drag->work += drag->given[t];
 }
 
-static double work(const struct physics_context *context) {
-    return drag_work(context->self);
+static void energy(const struct physics_context *context, struct physics_energy *energy) {
+    energy->work = drag_work(context->self);
 }
 
 /* Within mass / K the slip of a grain changes no sign. */
@@ -246,19 +253,22 @@ static const struct physics_pass pass = {.name = "drag",
                                          .reads = "position velocity radius",
                                          .writes = "force drag_force porosity",
                                          .whole = add};
+static const struct physics_search search = {.interactions = 1,
+                                             .interaction = {{.name = "porosity", .range = range}}};
+static const struct physics_limit limits = {.of = limit,
+                                            .why = "drag: mass of a grain over its drag per speed"};
+
 const struct physics drag_physics = {.name = "drag",
                                      .box_moves = true,
-                                     .interactions = 1,
-                                     .interaction = {{.name = "porosity", .range = range}},
                                      .passes = 1,
                                      .pass = &pass,
                                      .check = check,
                                      .create = create,
                                      .destroy = destroy,
                                      .rebuilt = rebuilt,
-                                     .work = work,
-                                     .limit = limit,
-                                     .limit_why = "drag: mass of a grain over its drag per speed",
+                                     .energy = energy,
                                      .guard = guard,
                                      .print = print,
-                                     .restart = restart};
+                                     .restart = restart,
+                                     .search = &search,
+                                     .limit = &limits};

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* Sums over pairs of grains, corrected for walls and for the grain itself. Read porosity.h first. */
 #include "drag/porosity.h"
+#include "grains/grains.h"
 #include "core/memory.h"
 #include "drag/fields.h"
 #include "pairs/walk.h"
@@ -71,8 +72,8 @@ struct porosity *porosity_create(const struct physics_context *context) {
                                         .range = h,
                                         .ordered = context->ordered};
     drag_porosity_register(context->particles);
-    if (context->walls)
-        walls_visit_fixed(context->walls);
+    if (grains_walls(context))
+        walls_visit_fixed(grains_walls(context));
     return porosity;
 }
 
@@ -132,8 +133,8 @@ void porosity_sum(struct porosity *porosity) {
         porosity->front[i] = 1.0;
 #pragma omp parallel for schedule(static, 1)
     for (int t = 0; t < context->threads; t++)
-        if (context->walls)
-            walls_visit(context->walls, p, t, porosity->support, at_wall, porosity);
+        if (grains_walls(context))
+            walls_visit(grains_walls(context), p, t, porosity->support, at_wall, porosity);
 #pragma omp parallel for schedule(static)
     for (size_t i = 0; i < p->owned; i++) {
         double radius = p->state[i].radius;

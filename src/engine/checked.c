@@ -5,21 +5,20 @@
 #include "engine/step.h"
 #include "engine/timing.h"
 
-enum { POSITIONS_EVERY = 100 };
+enum { FINITE_EVERY = 100 };
 
 void checked_step(struct simulation *s, bool sums, bool rebuild, bool unseen) {
     int64_t every = s->scene->step.rebuild_every;
     uint64_t next = s->clock.step + 1;
-    s->grains.contact.want_virial = sums || s->servo.on;
-    s->grains.contact.want_sums = s->grains.contact.want_virial || s->grains.sums_each_step ||
-                                  s->grains.contact.want_work || guards_energy_due(s, next);
+    s->evaluation.virial = sums || s->servo.on;
+    s->evaluation.sums = s->evaluation.virial || s->sums_each_step || guards_energy_due(s, next);
     s->search.sorts = s->search.sorts || rebuild; /* the caller writes the state, or has changed it */
-    bool positions = next % POSITIONS_EVERY == 0, energy = guards_energy_due(s, next),
+    bool finite = !unseen || next % FINITE_EVERY == 0, energy = guards_energy_due(s, next),
          stable = timing_due(s, next);
     step_run(s, rebuild || (every > 0 && next % (uint64_t)every == 0),
-             unseen && !positions && !energy && !stable);
-    if (positions)
-        guards_check_positions(s);
+             unseen && !finite && !energy && !stable);
+    if (finite)
+        guards_check_finite(s);
     if (energy)
         guards_check_energy(s);
     if (stable)

@@ -4,6 +4,7 @@
 #include "engine/skin_auto.h"
 #include "core/memory.h"
 #include "particles/kinds.h"
+#include "pairs/classes_choose.h"
 #include <math.h>
 
 /* A sample of the radii, for the choice of classes: the smallest and the largest radius of each of so many

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* Keeps the sums of planes over the particles that come and go. Read crossings.h first. */
 #include "engine/crossings.h"
-#include "integrate/groups.h"
+#include "particles/groups.h"
 #include "observe/crossing.h"
 #include "particles/kinds.h"
 #include <math.h>

@@ -8,14 +8,15 @@
  * measured. */
 static void decide_skin(struct simulation *s) {
     double speed[CLASS_MAX] = {0};
+    const struct physics_active *obstacles = s->physics.obstacles;
     int classes = s->classes.count;
     for (int t = 0; t < s->threads; t++)
         for (int c = 0; c < classes; c++)
-            speed[c] = fmax(speed[c], s->grains.speed[t][c]);
+            speed[c] = fmax(speed[c], s->search.speed[t][c]);
     for (int c = 0; c < classes; c++)
         speed[c] = sqrt(speed[c]);
     skin_moved(s->search.skin, speed, classes, s->clock.dt,
-               s->grains.walls ? walls_displacement(s->grains.walls) : 0);
+               obstacles ? obstacles->row->obstacles->displacement(&obstacles->context) : 0);
 }
 
 /* Starts the reduction of bounds, signals and errors over all ranks. */

@@ -19,7 +19,6 @@ void deform_prepare(struct simulation *s) {
     if (s->servo.on && s->scene->reproducible)
         s->servo.exact =
             memory_allocate_zero((size_t)s->threads, sizeof *s->servo.exact, "sums of the stress");
-    s->grains.contact.exact = s->servo.exact;
 }
 
 void deform_free(struct simulation *s) {
@@ -87,8 +86,9 @@ static void flux_of(const struct simulation *s, size_t k, double flux[6]) {
 }
 
 /* The sums of stress_sum, the same on any layout. */
-static void stress_exactly(const struct simulation *s, double sum[7]) {
-    struct force_exact *exact = s->servo.exact;
+static void stress_exactly(const struct simulation *s, double sum[STRESS_SUMS]) {
+    struct exact(*exact)[STRESS_SUMS] = s->servo.exact;
+    const struct physics_active *mover = s->physics.mover;
 #pragma omp parallel for schedule(static, 1)
     for (int t = 0; t < s->threads; t++) {
         size_t first = s->particles->owned * (size_t)t / (size_t)s->threads;
@@ -97,25 +97,28 @@ static void stress_exactly(const struct simulation *s, double sum[7]) {
             double flux[6];
             flux_of(s, k, flux);
             for (int c = 0; c < 6; c++)
-                exact_add(&exact[t].sum[c], flux[c]);
+                exact_add(&exact[t][c], flux[c]);
         }
     }
     for (int t = 1; t < s->threads; t++)
-        for (int c = 0; c < 7; c++)
-            exact_join(&exact[0].sum[c], &exact[t].sum[c]);
-    sum_exactly(s, exact[0].sum, FORCE_EXACT, sum);
+        for (int c = 0; c < STRESS_SUMS; c++)
+            exact_join(&exact[0][c], &exact[t][c]);
+    if (mover->row->mover->stress)
+        mover->row->mover->stress(&mover->context, exact[0], sum);
+    sum_exactly(s, exact[0], STRESS_SUMS, sum);
     memset(exact, 0, (size_t)s->threads * sizeof *exact);
 }
 
 /* Sums over all ranks: stress times volume (6), and the elastic energy. */
-static void stress_sum(const struct simulation *s, double sum[7]) {
+static void stress_sum(const struct simulation *s, double sum[STRESS_SUMS]) {
+    const struct physics_active *mover = s->physics.mover;
     if (s->servo.exact) {
         stress_exactly(s, sum);
         return;
     }
-    for (int c = 0; c < 6; c++)
-        sum[c] = s->grains.sums.virial[c];
-    sum[6] = s->grains.sums.elastic_normal;
+    memset(sum, 0, STRESS_SUMS * sizeof *sum);
+    if (mover->row->mover->stress)
+        mover->row->mover->stress(&mover->context, NULL, sum);
     for (size_t k = 0; k < s->particles->owned; k++) {
         double flux[6];
         flux_of(s, k, flux);
@@ -148,7 +151,7 @@ static void shear_control(struct simulation *s, double stress, double pressure, 
     double excess = stress - target, density = s->servo.mass / volume_of(&s->box);
     for (int d = 0; d < s->box.dimension; d++)
         longest = fmax(longest, s->box.edge[d]);
-    double more = s->grains.contact.dt * excess / (SHEAR_INERTIA * density * longest * longest);
+    double more = s->evaluation.dt * excess / (SHEAR_INERTIA * density * longest * longest);
     s->servo.drift = limited(s->servo.drift + more, bound);
     motion->shear =
         limited(s->servo.drift + SHEAR_GAIN * rate_of(s, excess, fmax(scale, 0), modulus, longest), bound);
@@ -171,7 +174,8 @@ void deform_control(struct simulation *s) {
     const struct scene_stress *wanted = &s->scene->stress;
     const struct box_motion *motion = &s->box.motion;
     int n = s->box.dimension;
-    double sum[7], *stretch = s->box.motion.stretch, work = 0, longest = 0, volume = volume_of(&s->box);
+    double sum[STRESS_SUMS], *stretch = s->box.motion.stretch, work = 0, longest = 0,
+                             volume = volume_of(&s->box);
     stress_sum(s, sum);
     for (int d = 0; d < n; d++) {
         work += sum[d];

@@ -1,13 +1,12 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* Makes the tables of docs/output.md again, from the page to the page: `make pages` runs it */
-#include "engine/grains.h"
 #include "engine/stages.h"
 #include "observe/describe.h"
 
 int main(void) {
     struct error error = {0};
     struct timers stages = {0};
-    stages_register_all(&stages, &grains_physics);
+    stages_register_all(&stages);
     if (!describe_page(stdin, stdout, &stages, &error))
         fprintf(stderr, "%s\n", error.text);
     return fflush(stdout) != 0 || error.kind != ERROR_NONE;

@@ -119,6 +119,34 @@ bool folder_clear(const struct comm *comm, const char *directory, struct error *
     return comm_agree(comm, error);
 }
 
+/* True if both begin with the same scene, or one does not tell. */
+static bool same_beginning(const struct lineage *a, const struct lineage *b) {
+    return a->count == 0 || b->count == 0 || strcmp(a->run[0].scene, b->run[0].scene) == 0;
+}
+
+bool folder_suits(const struct comm *comm, const char *directory, const struct lineage *lineage,
+                  struct error *error) {
+    for (size_t place = 0;; place++) {
+        char path[FILE_PATH_MAX] = "";
+        struct checkpoint_loaded head;
+        struct error damaged = {0};
+        if (comm->rank == 0 && !checkpoint_find(directory, place, path))
+            path[0] = '\0';
+        comm_broadcast(comm, path, sizeof path);
+        if (path[0] == '\0')
+            return true;
+        if (!checkpoint_read_head(comm, path, &head, &damaged))
+            continue;
+        bool same = same_beginning(&head.lineage, lineage);
+        checkpoint_loaded_free(&head);
+        return same ||
+               error_set(
+                   error, ERROR_USER,
+                   "%s: is of a run that began with another scene; nothing was written. Choose another -o",
+                   path);
+    }
+}
+
 bool folder_rewind(const struct comm *comm, const char *directory, uint64_t step, struct error *error) {
     if (comm->rank == 0)
         checkpoint_discard(directory, (int64_t)step, error);

@@ -4,6 +4,7 @@
 #define SCREE_ENGINE_FOLDER_H
 
 #include "comm/comm.h"
+#include "formats/lineage.h"
 
 /* True if a directory exists and has no entries. */
 bool folder_empty(const char *directory);
@@ -26,6 +27,11 @@ void folder_unlock(int *handle);
 /* Deletes the files of an earlier run in a directory: all files with names that a run uses, above all
  * checkpoints, which must not be mistaken for checkpoints of the new run. Other files stay. Collective. */
 bool folder_clear(const struct comm *comm, const char *directory, struct error *error);
+
+/* True if the newest whole checkpoint in a directory, if there is one, has the same beginning as `lineage`: else the
+ * directory has the files of another run. Changes nothing. Collective. */
+bool folder_suits(const struct comm *comm, const char *directory, const struct lineage *lineage,
+                  struct error *error);
 
 /* Deletes only the checkpoints of steps after `step`, as the run continues differently from `step`.
  * Collective. */

@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* Guards: physical nonsense stops the run (or warns, once), naming particles, place and time. */
 #include "engine/guards.h"
-#include "core/memory.h"
+#include "engine/trip.h"
+#include "particles/spin.h"
 #include "particles/kinds.h"
 #include <math.h>
 #include <stdio.h>
@@ -10,57 +11,14 @@
 /* Steps between two checks of the balance of energies. */
 enum { ENERGY_EVERY = 20, ENERGY_EVERY_AUTO = 100 };
 
-/* Particles whose energies one thread adds up at a time. */
-enum { ENERGY_CHUNK = 4096 };
-
 /* By default a run stops if the energy gained without cause exceeds this factor times guards.energy_bound:
  * such a gain is no drift, but energy that grows without bound. */
 #define ENERGY_AUTO 10
 
 /* Stops or warns. */
-static void guard_trip(struct simulation *s, enum scene_guard guard, int which, const char *text) {
-    if (guard == SCENE_GUARD_STOP) {
-        error_set(&s->error, ERROR_PHYSICS, "%s", text);
-    } else if (guard == SCENE_GUARD_WARN && !(s->guards.warned & 1u << which)) {
-        s->guards.warned |= 1u << which;
-        log_tell(&s->caller.log, "warning: %s (said once)", text);
-    }
-}
-
-/* "particle 5 at (1, 2, 3)" in the user's coordinates. */
-static void name_at(const struct simulation *s, size_t k, char *text, size_t room) {
-    const double *x = s->particles->state[k].x, *origin = s->box.origin;
-    snprintf(text, room, "particle %lld at (%.6g, %.6g, %.6g)", (long long)s->particles->id[k],
-             x[0] + origin[0], x[1] + origin[1], x[2] + origin[2]);
-}
-
-/* As name_at, for a partner by id: a wall (negative id) by its name. */
-static void name_partner(const struct simulation *s, int64_t id, char *text, size_t room) {
-    if (id < 0 && -id <= s->scene->walls) {
-        snprintf(text, room, "wall '%s'", s->scene->wall[-id - 1].name);
-        return;
-    }
-    for (size_t k = 0; k < s->particles->owned + s->particles->ghosts; k++)
-        if (s->particles->id[k] == id) {
-            name_at(s, k, text, room);
-            return;
-        }
-    snprintf(text, room, "particle %lld", (long long)id);
-}
-
-static void guard_overlap(struct simulation *s) {
-    if (s->scene->guards.overlap == SCENE_GUARD_OFF ||
-        !(s->grains.sums.overlap_max > s->scene->guards.overlap_bound))
-        return;
-    char text[640], one[160], other[160];
-    name_partner(s, s->grains.sums.overlap_id[0], one, sizeof one);
-    name_partner(s, s->grains.sums.overlap_id[1], other, sizeof other);
-    snprintf(text, sizeof text,
-             "guards.overlap: %s and %s overlap by %.3g of the smaller radius (bound %g) at step %llu, "
-             "t = %.9g",
-             one, other, s->grains.sums.overlap_max, s->scene->guards.overlap_bound,
-             (unsigned long long)s->clock.step, s->clock.time);
-    guard_trip(s, s->scene->guards.overlap, 0, text);
+static void guard_trip(struct simulation *s, enum scene_guard guard, enum guard_kind which,
+                       const char *text) {
+    trip(guard, text, &s->error, &s->caller.log, &s->guards.warned[which]);
 }
 
 /* The fastest of the free and moved particles of this rank. */
@@ -88,8 +46,8 @@ static double fastest_drift(const struct simulation *s, bool *finite) {
     *finite = true;
     for (int t = 0; t < s->threads; t++)
         for (int c = 0; c < s->classes.count; c++) {
-            *finite = *finite && isfinite(s->grains.speed[t][c]);
-            fastest = fmax(fastest, s->grains.speed[t][c]);
+            *finite = *finite && isfinite(s->search.speed[t][c]);
+            fastest = fmax(fastest, s->search.speed[t][c]);
         }
     return fastest;
 }
@@ -108,72 +66,98 @@ static void guard_speed(struct simulation *s) {
     bool finite;
     double fastest = fastest_drift(s, &finite), bound = least_radius(s), speed;
     if (!finite) {
-        guards_check_positions(s);
+        guards_check_finite(s);
         return;
     }
     if (s->scene->guards.speed == SCENE_GUARD_OFF || s->classes.count == 0 ||
         !(sqrt(fastest) * s->clock.dt > bound) || s->particles->owned == 0)
         return;
-    char text[512], one[160];
+    char text[512], one[TRIP_NAME_MAX];
     size_t worst = fastest_find(s, &speed);
     if (!(speed * s->clock.dt > bound))
         return;
-    name_at(s, worst, one, sizeof one);
+    trip_name(s->particles, &s->box, worst, one);
     snprintf(text, sizeof text,
              "guards.speed: %s moves %.3g in a step, more than the smallest radius %.3g: it may pass through "
              "others unseen (step %llu, t = %.9g)",
              one, speed * s->clock.dt, bound, (unsigned long long)s->clock.step, s->clock.time);
-    guard_trip(s, s->scene->guards.speed, 1, text);
+    guard_trip(s, s->scene->guards.speed, GUARD_SPEED, text);
 }
 
 void guards_step(struct simulation *s, const char *text) {
     if (s->comm->rank > 0 && s->scene->guards.step == SCENE_GUARD_WARN)
         return;
-    guard_trip(s, s->scene->guards.step, 3, text);
+    guard_trip(s, s->scene->guards.step, GUARD_STEP, text);
 }
 
 void guards_check(struct simulation *s) {
-    if (!s->ahead) { /* the next step then ends complete, as guards_calm finds the overlap, too */
-        guard_overlap(s);
-        guard_speed(s);
-    }
-    s->guards.overlap_known = true;
+    PHYSICS_EACH (active, &s->physics, guard)
+        active->row->guard(&active->context, &s->error);
+    guard_speed(s);
 }
 
 bool guards_calm(const struct simulation *s) {
     bool finite;
     double move = sqrt(fastest_drift(s, &finite)) * s->clock.dt, least = least_radius(s);
     double walls = fmax(s->search.skin->growth[s->classes.count], 0);
-    double overlap = s->grains.sums.overlap_max + (move + fmax(move, walls)) / least;
-    return finite && !(move > least) && s->guards.overlap_known &&
+    const struct physics_active *mover = s->physics.mover;
+    double before = mover->row->mover->overlap ? mover->row->mover->overlap(&mover->context) : 0;
+    double overlap = before + (move + fmax(move, walls)) / least;
+    return finite && !(move > least) && isfinite(before) &&
            (s->scene->guards.overlap == SCENE_GUARD_OFF || overlap < s->scene->guards.overlap_bound);
 }
 
-static bool state_finite(const struct particle_state *p) {
-    return isfinite(p->x[0] + p->x[1] + p->x[2] + p->v[0] + p->v[1] + p->v[2]);
+/* True if the sum of these numbers is finite. */
+static bool all_finite(const double *value, int count) {
+    double sum = 0;
+    for (int k = 0; k < count; k++)
+        sum += value[k];
+    return isfinite(sum);
 }
 
-/* Positions that are not numbers would break the search, so such positions always stop the run. */
-void guards_check_positions(struct simulation *s) {
-    size_t bad = s->particles->owned;
-#pragma omp parallel for schedule(static) reduction(min : bad)
-    for (size_t k = 0; k < s->particles->owned; k++)
-        if (!state_finite(&s->particles->state[k]) && k < bad)
-            bad = k;
-    if (bad == s->particles->owned)
+/* True if position and speed of a particle are finite; the square of the speed is, too, as in integrator_advance. */
+static bool state_finite(const struct particle_state *p) {
+    const double square[3] = {p->v[0] * p->v[0], p->v[1] * p->v[1], p->v[2] * p->v[2]};
+    return all_finite(p->x, 3) && all_finite(square, 3);
+}
+
+/* What of an owned particle is not finite; NULL: all is. */
+static const char *strange_of(const struct particles *p, const double (*omega)[4], size_t k) {
+    if (!state_finite(&p->state[k]))
+        return "position or velocity";
+    if (omega && !all_finite(omega[k], 3))
+        return "angular velocity";
+    return all_finite(p->force + k * (size_t)p->force_stride, p->force_stride) ? NULL : "force or torque";
+}
+
+/* Places that are not numbers would break the search, and other numbers spoil one another, so they always stop the run. */
+void guards_check_finite(struct simulation *s) {
+    const struct particles *p = s->particles;
+    const double(*omega)[4] = spin_values(p);
+    size_t bad = p->owned, count = 0;
+#pragma omp parallel for schedule(static) reduction(min : bad) reduction(+ : count)
+    for (size_t k = 0; k < p->owned; k++)
+        if (strange_of(p, omega, k)) {
+            bad = k < bad ? k : bad;
+            count++;
+        }
+    if (s->physics.obstacles)
+        s->physics.obstacles->row->obstacles->finite(&s->physics.obstacles->context, &s->error);
+    if (count == 0)
         return;
-    char one[160];
-    name_at(s, bad, one, sizeof one);
+    char one[TRIP_NAME_MAX], others[64] = "";
+    trip_name(p, &s->box, bad, one);
+    if (count > 1)
+        snprintf(others, sizeof others, " (and of %zu more)", count - 1);
     error_set(&s->error, ERROR_PHYSICS,
-              "guards.nan: position or velocity of %s is not finite at step %llu, t = %.9g: the time step is "
-              "too large, or particles coincide",
-              one, (unsigned long long)s->clock.step, s->clock.time);
-    for (size_t k = bad; k < s->particles->owned; k++) {
-        struct particle_state *p = &s->particles->state[k];
-        if (state_finite(p))
-            continue;
-        for (int d = 0; d < 3; d++)
-            p->x[d] = p->v[d] = 0;
+              "guards.nan: %s of %s%s is not finite at step %llu, t = %.9g: the time step is too large, "
+              "particles coincide, or a law or a force of the user's gives no number",
+              strange_of(p, omega, bad), one, others, (unsigned long long)s->clock.step, s->clock.time);
+    for (size_t k = bad; k < p->owned; k++) {
+        struct particle_state *state = &p->state[k];
+        bool lost = !state_finite(state);
+        for (int d = 0; lost && d < 3; d++)
+            state->x[d] = state->v[d] = 0;
     }
 }
 
@@ -223,7 +207,7 @@ bool guards_prepare(struct simulation *s, struct error *error) {
                        "%s: guards.energy: group '%s' moves by order, and what it gives to others is in no "
                        "balance; allowed here: auto, off",
                        scene_place(scene, "guards.energy", place, sizeof place), scene->group[g].name);
-    s->grains.sums_each_step = s->grains.sums_each_step || !s->guards.energy.mechanical;
+    s->sums_each_step = s->sums_each_step || !s->guards.energy.mechanical;
     s->guards.energy.wanted = true;
     if (s->clock.step == 0) /* a resumed run has no sums before its first step */
         guards_check_energy(s);
@@ -235,72 +219,35 @@ bool guards_energy_due(const struct simulation *s, uint64_t step) {
     return energy->wanted && step % (energy->mechanical ? ENERGY_EVERY_AUTO : ENERGY_EVERY) == 0;
 }
 
-/* Energies of all grains, in this order. */
-enum { KINETIC, ROTATIONAL, GRAVITY, ELASTIC_NORMAL, ELASTIC_TANGENTIAL, TAKEN, WORK, HELD, GONE, ENERGIES };
-
-/* Energy of the free grains among the owned particles [first, last) in gravity; across periodic sides particles
- * go on. */
-static double gravity_of(const struct simulation *s, size_t first, size_t last) {
-    int32_t(*const image)[3] = particles_images(s->particles);
-    const uint8_t *kind = kinds_of(s->particles);
-    const double *g = s->grains.motion.gravity;
-    double sum = 0, shift[3] = {0, 0, 0};
-    if (g[0] == 0 && g[1] == 0 && g[2] == 0)
-        return 0;
-    for (size_t k = first; k < last; k++) {
-        const struct particle_state *p = &s->particles->state[k];
-        bool counts = p->inverse_mass > 0 && (kind == NULL || kind[k] == KIND_GRAIN);
-        if (image)
-            box_unwrap(&s->box, image[k], shift);
-        for (int d = 0; counts && d < 3; d++)
-            sum -= g[d] / p->inverse_mass * (p->x[d] + s->box.origin[d] + shift[d]);
-    }
-    return sum;
-}
-
-/* Sums over all ranks. Particles go chunk by chunk, the chunks in order, whatever the number of threads. */
+/* Sums over all ranks of the energies: of grains, then of others. */
+enum { WORK = GRAINS_ENERGIES, HELD, GONE, ENERGIES };
 static void energies_find(const struct simulation *s, double energy[ENERGIES]) {
-    size_t owned = s->particles->owned, chunks = owned / ENERGY_CHUNK + 1;
-    double(*part)[3] = memory_allocate_zero(chunks, sizeof *part, "energies");
-#pragma omp parallel for schedule(static)
-    for (size_t c = 0; c < chunks; c++) {
-        size_t first = c * ENERGY_CHUNK, last = first + ENERGY_CHUNK < owned ? first + ENERGY_CHUNK : owned;
-        integrator_energies(s->particles, &s->grains.motion, first, last, part[c]);
-        part[c][GRAVITY] = gravity_of(s, first, last);
-    }
+    const struct physics_active *mover = s->physics.mover, *obstacles = s->physics.obstacles;
+    struct physics_energy others;
     memset(energy, 0, ENERGIES * sizeof *energy);
-    for (size_t c = 0; c < chunks; c++)
-        for (int k = KINETIC; k <= GRAVITY; k++)
-            energy[k] += part[c][k];
-    memory_free(part);
-    energy[ELASTIC_NORMAL] = s->grains.sums.elastic_normal;
-    energy[ELASTIC_TANGENTIAL] = s->grains.sums.elastic_tangential;
-    energy[TAKEN] = s->grains.taken;
-    energy[WORK] = (s->grains.walls ? walls_work(s->grains.walls) : 0) + physics_work(&s->physics);
-    physics_energy(&s->physics, &energy[HELD], &energy[GONE]);
+    if (mover->row->mover->energies)
+        mover->row->mover->energies(&mover->context, s->guards.energy.mechanical, energy);
+    physics_energies(&s->physics, &others);
+    energy[WORK] = (obstacles ? obstacles->row->obstacles->work(&obstacles->context) : 0) + others.work;
+    energy[HELD] = others.held;
+    energy[GONE] = others.taken;
     comm_sum(s->comm, energy, ENERGIES);
 }
 
 /* Measures the balance, and the energy in play: the largest value that any form of energy has reached.
  * Potential energy is left out, as its zero is arbitrary. */
 static void energy_measure(const struct simulation *s, double *balance, double *in_play) {
-    const struct law_options *law = &s->grains.law.options;
     double energy[ENERGIES];
     energies_find(s, energy);
-    double dissipated = energy[TAKEN] - energy[ELASTIC_TANGENTIAL] + energy[GONE];
-    if (s->guards.energy.mechanical) {
+    double dissipated = energy[GRAINS_TAKEN] - energy[GRAINS_TANGENTIAL] + energy[GONE];
+    if (s->guards.energy.mechanical)
         dissipated = 0; /* not summed at each step */
-        if (law->sliding == LAW_SLIDING_TOTAL || law->lammps_history || law->lammps_granular)
-            energy[ELASTIC_TANGENTIAL] =
-                0; /* springs that take all of the slip are longer than friction loads
-                                               them */
-    }
-    double mechanical = energy[KINETIC] + energy[ROTATIONAL] + energy[ELASTIC_NORMAL] +
-                        energy[ELASTIC_TANGENTIAL] + energy[HELD];
-    *balance = mechanical + energy[GRAVITY] + dissipated - energy[WORK];
+    double mechanical = energy[GRAINS_KINETIC] + energy[GRAINS_ROTATIONAL] + energy[GRAINS_NORMAL] +
+                        energy[GRAINS_TANGENTIAL] + energy[HELD];
+    *balance = mechanical + energy[GRAINS_GRAVITY] + dissipated - energy[WORK];
     *in_play = fmax(fmax(fabs(dissipated), fabs(energy[WORK])), energy[HELD]);
-    for (int k = KINETIC; k <= ELASTIC_TANGENTIAL; k++)
-        *in_play = k == GRAVITY ? *in_play : fmax(*in_play, fabs(energy[k]));
+    for (int k = GRAINS_KINETIC; k <= GRAINS_TANGENTIAL; k++)
+        *in_play = k == GRAINS_GRAVITY ? *in_play : fmax(*in_play, fabs(energy[k]));
 }
 
 void guards_check_energy(struct simulation *s) {
@@ -319,18 +266,22 @@ void guards_check_energy(struct simulation *s) {
     energy->last = balance;
     energy->step = s->clock.step;
     double growth = balance - energy->start - energy->gained;
+    if (!isfinite(balance))
+        error_set(&s->error, ERROR_PHYSICS,
+                  "guards.nan: the energy of contacts or particles is not finite at step %llu, t = %.9g",
+                  (unsigned long long)s->clock.step, s->clock.time);
     double bound = s->scene->guards.energy_bound * (energy->mechanical ? ENERGY_AUTO : 1);
     if (energy->mechanical) /* losses of energy are no fault: the lowest balance counts */
         energy->start = fmin(energy->start, balance - energy->gained);
     if (!(growth > bound * energy->in_play) || s->particles->owned == 0)
         return;
-    char text[512], one[160];
-    name_at(s, fastest_find(s, &speed), one, sizeof one);
+    char text[512], one[TRIP_NAME_MAX];
+    trip_name(s->particles, &s->box, fastest_find(s, &speed), one);
     snprintf(
         text, sizeof text,
         "guards.energy: energy has grown by %.3g without cause, %.3g of the %.3g in play (bound %g), at step "
         "%llu, t = %.9g; fastest is %s with %.3g: the time step is too large, or a law is given wrongly",
         growth, growth / energy->in_play, energy->in_play, bound, (unsigned long long)s->clock.step,
         s->clock.time, one, speed);
-    guard_trip(s, energy->mechanical ? SCENE_GUARD_STOP : s->scene->guards.energy, 2, text);
+    guard_trip(s, energy->mechanical ? SCENE_GUARD_STOP : s->scene->guards.energy, GUARD_ENERGY, text);
 }

@@ -14,8 +14,8 @@ bool guards_prepare(struct simulation *simulation, struct error *error);
  * all ranks alike. */
 void guards_step(struct simulation *simulation, const char *text);
 
-/* Checks overlap and speed after a force evaluation; costs no time. A step in ring order is left to the next one, which
- * guards_calm then keeps out of that order. */
+/* Runs the guards of all physics, and that of speed, after a force evaluation; costs no time. Not after a step whose particles
+ * have moved on: guards_calm then sees to it that the next one ends complete. */
 void guards_check(struct simulation *simulation);
 
 /* True if the speed on this rank is within bounds in the step in progress, whose particles have moved, and the largest
@@ -23,8 +23,10 @@ void guards_check(struct simulation *simulation);
  * bounded. */
 bool guards_calm(const struct simulation *simulation);
 
-/* Finds positions and velocities that are not numbers; a pass over all particles. */
-void guards_check_positions(struct simulation *simulation);
+/* Stops the run if a position, velocity, spin or force of an owned particle, or the motion of a wall or the force on it, is
+ * not finite; a pass over all particles. Between two calls guards_check finds velocities and spins as particles move.
+ * Places and velocities that are not finite become 0, so that a search ends. */
+void guards_check_finite(struct simulation *simulation);
 
 /* Finds particles that particles_wrap left outside of a periodic box because it could not count their
  * crossings; a pass over all particles. */

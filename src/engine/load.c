@@ -22,7 +22,7 @@ static const double remembered = 0.995;
 
 /* Weights of the owned particles by the last pair list; returns their sum. */
 static double weights_by_pairs(const struct simulation *s, double *weight) {
-    const struct pairlist *list = s->grains.list;
+    const struct pairlist *list = s->search.list;
     size_t owned = s->particles->owned;
     double sum = 0;
     for (size_t k = 0; k < owned; k++)

@@ -14,16 +14,16 @@ libengine_la_SOURCES = \
 	src/engine/deform.h \
 	src/engine/folder.c \
 	src/engine/folder.h \
-	src/engine/grains.c \
-	src/engine/grains.h \
 	src/engine/guards.c \
 	src/engine/guards.h \
-	src/engine/limit.c \
-	src/engine/limit.h \
 	src/engine/load.c \
 	src/engine/load.h \
 	src/engine/notes.c \
 	src/engine/notes.h \
+	src/engine/order.c \
+	src/engine/order.h \
+	src/engine/order_plan.c \
+	src/engine/order_plan.h \
 	src/engine/outputs.c \
 	src/engine/outputs.h \
 	src/engine/outputs_open.c \
@@ -67,8 +67,12 @@ libengine_la_SOURCES = \
 	src/engine/step.h \
 	src/engine/timing.c \
 	src/engine/timing.h \
+	src/engine/trip.c \
+	src/engine/trip.h \
 	src/engine/tune.c \
 	src/engine/tune.h \
+	src/engine/values.c \
+	src/engine/values.h \
 	src/engine/view.c \
 	src/engine/view.h
 libengine_la_CPPFLAGS = $(AM_CPPFLAGS) $(MPI_CFLAGS)

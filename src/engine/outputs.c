@@ -116,10 +116,12 @@ bool outputs_write(struct outputs *o, const struct simulation *s, struct error *
 }
 
 bool outputs_tables(const struct simulation *s, struct error *error) {
-    if (!physics_has_tables(&s->physics))
-        return true;
-    physics_table_write(&s->physics, error);
-    return comm_agree(s->comm, error);
+    bool has = false;
+    PHYSICS_EACH (active, &s->physics, table) {
+        has = true;
+        active->row->table->write(&active->context, error);
+    }
+    return !has || comm_agree(s->comm, error);
 }
 
 bool outputs_flush(struct outputs *o, const struct simulation *s, struct error *error) {

@@ -18,6 +18,9 @@ struct output_run outputs_run(const struct simulation *simulation, const char *d
 bool outputs_create(struct outputs **outputs, const struct simulation *simulation,
                     const struct output_run *run, struct error *error);
 
+/* True if a resumed run can go on with the files in its folder. Changes nothing. Collective. */
+bool outputs_go_on(const struct outputs *outputs, const struct comm *comm, struct error *error);
+
 /* Opens the files in run->directory; a resume continues the existing files. Collective. */
 bool outputs_open(struct outputs *outputs, const struct simulation *simulation, bool resumed,
                   struct error *error);

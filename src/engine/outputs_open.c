@@ -24,17 +24,29 @@ static bool fail_at(const struct simulation *s, const char *key, struct error *e
     return false;
 }
 
-/* Refuses ids above those of all particles if the scene inserts no particles. */
+/* True if a particle has this id. Collective. */
+static bool id_there(const struct simulation *s, int64_t id) {
+    int64_t found = 0;
+    for (size_t k = 0; k < s->particles->owned; k++)
+        found += s->particles->id[k] == id;
+    comm_sum_int(s->comm, &found, 1);
+    return found > 0;
+}
+
+/* Refuses ids that no particle has or will have: the scene inserts none. In a resumed run a particle may have
+ * left before. Collective. */
 static bool observables_check_ids(const struct simulation *s, struct error *error) {
     const struct observables_options *options = &s->scene->output.observables;
-    for (int k = 0; s->scene->insertions == 0 && k < options->count; k++)
-        if (options->request[k].id >= s->sources.next_id) {
-            char key[64];
-            snprintf(key, sizeof key, "observables.list[%d].id", k);
-            error_set(error, ERROR_USER, "%s: there is no particle %lld; ids go up to %lld", key,
-                      (long long)options->request[k].id, (long long)s->sources.next_id - 1);
-            return fail_at(s, key, error);
-        }
+    for (int k = 0; s->scene->insertions == 0 && k < options->count; k++) {
+        int64_t id = options->request[k].id;
+        char key[64];
+        if (id <= 0 || (s->resumed.dt > 0 ? id < s->sources.next_id : id_there(s, id)))
+            continue;
+        snprintf(key, sizeof key, "observables.list[%d].id", k);
+        error_set(error, ERROR_USER, "%s: there is no particle %lld; ids go up to %lld", key, (long long)id,
+                  (long long)s->sources.next_id - 1);
+        return fail_at(s, key, error);
+    }
     return true;
 }
 
@@ -117,12 +129,28 @@ bool outputs_create(struct outputs **outputs, const struct simulation *s, const 
     return false;
 }
 
+bool outputs_go_on(const struct outputs *o, const struct comm *comm, struct error *error) {
+    const char *directory = o->run->directory;
+    char path[FILE_PATH_MAX];
+    if (comm->rank == 0 && o->observables)
+        observables_suit(o->observables, directory, error);
+    for (int k = 0; comm->rank == 0 && k < o->options->observables.grids; k++)
+        grid_suits(&o->options->observables.grid[k], directory, error);
+    if (!comm_agree(comm, error))
+        return false;
+    snprintf(path, sizeof path, "%s/trajectory.h5", directory);
+    int64_t present = h5md_wanted(o) && comm->rank == 0 && file_size(path) >= 0;
+    comm_max_int(comm, &present, 1);
+    return !present || h5md_suits(comm, path, o->run->varying, error);
+}
+
 bool outputs_open(struct outputs *o, const struct simulation *s, bool resumed, struct error *error) {
     bool good = o->observables == NULL || observables_open(o->observables, s->comm, o->run->directory,
                                                            resumed ? s->clock.time : -1, error);
     good = good && grids_open(o, s, resumed, error) && files_open(o, s, resumed, error);
-    good = good &&
-           physics_table_open(&s->physics, o->run->directory, resumed ? (int64_t)s->clock.step : -1, error);
+    PHYSICS_EACH (active, &s->physics, table)
+        good = good && active->row->table->open(&active->context, o->run->directory,
+                                                resumed ? (int64_t)s->clock.step : -1, error);
     return comm_agree(s->comm, error) && good;
 }
 

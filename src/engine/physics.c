@@ -3,16 +3,20 @@
 #include "engine/physics.h"
 #include "particles/kinds.h"
 #include <math.h>
+#include <string.h>
 
-/* An entry of the table of physics. */
+/* An entry of the tables of physics. */
 struct physics_entry {
     const struct physics *physics;
     void (*fields)(struct particles *particles);
     const char *key;
+    bool (*start)(struct physics_context *context, struct error *error); /* of those that are always there */
 };
 
-#define PHYSICS_ENTRY(name, key, whose, summary) {&name##_physics, name##_fields, #key},
-static const struct physics_entry entries[] = {PHYSICS_TABLE(PHYSICS_ENTRY)};
+#define PHYSICS_ENTRY(name, key, whose, summary) {&name##_physics, name##_fields, #key, NULL},
+#define PHYSICS_ENTRY_ALWAYS(name) {&name##_physics, NULL, #name, name##_start},
+static const struct physics_entry entries[PHYSICS_ALL] = {PHYSICS_TABLE(PHYSICS_ENTRY)
+                                                              PHYSICS_ALWAYS(PHYSICS_ENTRY_ALWAYS)};
 
 const struct physics *physics_get(enum physics_number number) {
     return entries[number].physics;
@@ -22,34 +26,72 @@ const char *physics_key(enum physics_number number) {
     return entries[number].key;
 }
 
-static void activate(struct physics_set *set, const struct physics *row, const void *options,
-                     const struct physics_context *context, struct interactions *interactions) {
+const struct physics_active *physics_next(const struct physics_set *set, const struct physics_active *before,
+                                          size_t member) {
+    const struct physics_active *active = before ? before + 1 : set->active;
+    for (; active < set->active + set->count; active++) {
+        void *value; /* NULL of all bits 0, as that of a function */
+        memcpy(&value, (const char *)active->row + member, sizeof value);
+        if (value)
+            return active;
+    }
+    return NULL;
+}
+
+static void activate(struct physics_set *set, const struct physics *row,
+                     const struct physics_context *context) {
     struct physics_active *active = &set->active[set->count++];
-    *active = (struct physics_active){.row = row, .context = *context, .first = interactions->count};
-    active->context.options = options;
-    if (row->moving)
-        interactions->moving |= row->moving(options);
-    for (int k = 0; k < row->interactions; k++) {
-        struct interaction interaction = row->interaction[k];
-        interaction.context = options;
-        interactions_add(interactions, &interaction);
+    *active = (struct physics_active){.row = row, .context = *context, .first = set->interactions->count};
+    active->context.set = set;
+    if (row->maker && row->maker->moving)
+        set->interactions->moving |= row->maker->moving(context->options);
+    for (int k = 0; row->search && k < row->search->interactions; k++) {
+        struct interaction interaction = row->search->interaction[k];
+        interaction.context = context->options;
+        interactions_add(set->interactions, &interaction);
     }
 }
 
-void physics_begin(struct physics_set *set, const struct physics *grains,
-                   const struct physics_context *context, struct interactions *interactions) {
+/* Finds who moves the grains, and who has what they meet. */
+static bool roles_find(struct physics_set *set, struct error *error) {
+    set->mover = set->obstacles = NULL;
+    PHYSICS_EACH (active, set, mover) {
+        const struct physics_active *mover = set->mover;
+        if (mover && mover >= set->active + PHYSICS_ALL - PHYSICS_COUNT)
+            return scene_fail(active->context.scene, error, active->row->name,
+                              "does not go with %s: both move the grains", mover->row->name);
+        set->mover = active;
+    }
+    for (int k = 0; k < set->count; k++)
+        set->active[k].context.moves_grains = &set->active[k] == set->mover;
+    PHYSICS_EACH (active, set, obstacles)
+        set->obstacles = active;
+    return true;
+}
+
+bool physics_begin(struct physics_set *set, const struct physics_context *context,
+                   struct interactions *interactions, struct error *error) {
     const struct scene *scene = context->scene;
     set->count = 0;
     set->interactions = interactions;
-    activate(set, grains, context->options, context, interactions);
+    for (int k = PHYSICS_COUNT; k < PHYSICS_ALL; k++) {
+        struct physics_context own = *context;
+        bool good = entries[k].start(&own, error);
+        activate(set, entries[k].physics, &own);
+        if (!good)
+            return false;
+    }
     for (int k = 0; k < PHYSICS_COUNT; k++) {
+        struct physics_context own = *context;
         if (scene->physics_given[k] == 0)
             continue;
         if (physics_has_particles(k))
             kinds_register(context->particles);
         entries[k].fields(context->particles);
-        activate(set, entries[k].physics, scene->physics[k], context, interactions);
+        own.options = scene->physics[k];
+        activate(set, entries[k].physics, &own);
     }
+    return roles_find(set, error);
 }
 
 /* Refuses a physics that does not know a box that moves. */
@@ -63,16 +105,17 @@ static bool suits_box(const struct physics_active *active, struct error *error) 
     return true;
 }
 
-bool physics_create(struct physics_set *set, void *self, struct error *error) {
-    set->active[0].context.self = self;
-    for (int k = 1; k < set->count; k++) {
+bool physics_create(struct physics_set *set, struct error *error) {
+    for (int k = 0; k < set->count; k++) {
         struct physics_active *active = &set->active[k];
         if (!suits_box(active, error))
             return false;
         if (active->row->check && !active->row->check(&active->context, error))
             return false;
-        active->context.self = active->row->create ? active->row->create(&active->context) : NULL;
-        for (int i = 0; active->row->range_of_self && i < active->row->interactions; i++)
+        if (active->row->create)
+            active->context.self = active->row->create(&active->context);
+        const struct physics_search *search = active->row->search;
+        for (int i = 0; search && search->range_of_self && i < search->interactions; i++)
             set->interactions->row[active->first + i].context = active->context.self;
     }
     return true;
@@ -81,163 +124,97 @@ bool physics_create(struct physics_set *set, void *self, struct error *error) {
 void physics_own(const struct physics_set *set, const void *own[PHYSICS_COUNT]) {
     for (int number = 0; number < PHYSICS_COUNT; number++) {
         own[number] = NULL;
-        for (int k = 1; k < set->count; k++)
+        for (int k = 0; k < set->count; k++)
             if (set->active[k].row == entries[number].physics)
                 own[number] = set->active[k].context.self;
     }
 }
 
+/* The last first, as others use what grains have. */
 void physics_free(struct physics_set *set) {
-    for (int k = 1; k < set->count; k++)
+    for (int k = set->count - 1; k >= 0; k--)
         if (set->active[k].context.self)
             set->active[k].row->destroy(set->active[k].context.self);
     set->count = 0;
 }
 
 bool physics_fill(const struct physics_set *set, const struct physics_share *share, struct error *error) {
-    for (int k = 0; k < set->count; k++)
-        if (set->active[k].row->fill && !set->active[k].row->fill(&set->active[k].context, share, error))
+    PHYSICS_EACH (active, set, maker)
+        if (!active->row->maker->fill(&active->context, share, error))
             return false;
     return true;
 }
 
 void physics_lists(struct physics_set *set, const struct interactions *interactions) {
     for (int k = 0; k < set->count; k++)
-        for (int i = 0; i < set->active[k].row->interactions; i++)
+        for (int i = 0; set->active[k].row->search && i < set->active[k].row->search->interactions; i++)
             set->active[k].context.list[i] = interaction_list(interactions, set->active[k].first + i);
+}
+
+void physics_prepare(const struct physics_set *set) {
+    PHYSICS_EACH (active, set, mover)
+        if (active->row->mover->prepare)
+            active->row->mover->prepare(&active->context);
 }
 
 bool physics_rebuilt(struct physics_set *set, struct ghosts *ghosts) {
     bool again = false;
     for (int k = 0; k < set->count; k++) {
         struct physics_active *active = &set->active[k];
+        const struct physics_rows *rows = active->row->rows;
         active->context.ghosts = ghosts;
         if (active->row->rebuilt)
             active->row->rebuilt(&active->context);
-        if (active->row->rebuilt_again)
-            again = active->row->rebuilt_again(&active->context) || again;
+        if (rows && rows->again)
+            again = rows->again(&active->context) || again;
     }
     return again;
 }
 
 bool physics_rests(const struct physics_set *set) {
     bool rests = true;
-    for (int k = 0; k < set->count; k++) {
-        const struct physics_active *active = &set->active[k];
-        rests = rests && (active->row->interactions == 0 ||
-                          (active->row->rests && active->row->rests(&active->context)));
-    }
+    PHYSICS_EACH (active, set, search)
+        rests = rests && active->row->search->rests && active->row->search->rests(&active->context);
     return rests;
 }
 
 bool physics_due(const struct physics_set *set) {
     bool due = false;
-    for (int k = 1; k < set->count; k++)
-        due = due || (set->active[k].row->due && set->active[k].row->due(&set->active[k].context));
+    PHYSICS_EACH (active, set, rows)
+        due = due || (active->row->rows->due && active->row->rows->due(&active->context));
     return due;
-}
-
-bool physics_carries(const struct physics_set *set) {
-    bool carries = false;
-    for (int k = 1; k < set->count; k++)
-        carries = carries || set->active[k].row->rows;
-    return carries;
 }
 
 void physics_rows(const struct physics_set *set, struct history_rows *rows[PHYSICS_COUNT],
                   int components[PHYSICS_COUNT]) {
-    for (int number = 0; number < PHYSICS_COUNT; number++) {
-        rows[number] = NULL;
-        for (int k = 1; k < set->count; k++) {
-            const struct physics *row = set->active[k].row;
-            if (row != entries[number].physics || row->rows == NULL)
-                continue;
-            rows[number] = row->rows(&set->active[k].context);
-            components[number] = row->row_components;
-        }
+    memset(rows, 0, PHYSICS_COUNT * sizeof *rows);
+    for (int number = 0; number < PHYSICS_COUNT; number++)
+        PHYSICS_EACH (active, set, rows)
+            if (active->row == entries[number].physics) {
+                rows[number] = active->row->rows->of(&active->context);
+                components[number] = active->row->rows->components;
+            }
+}
+
+void physics_energies(const struct physics_set *set, struct physics_energy *energy) {
+    *energy = (struct physics_energy){0};
+    PHYSICS_EACH (active, set, energy) {
+        struct physics_energy own = {0};
+        active->row->energy(&active->context, &own);
+        energy->held += own.held;
+        energy->taken += own.taken;
+        energy->work += own.work;
     }
 }
 
-void physics_energy(const struct physics_set *set, double *stored, double *taken) {
-    *stored = *taken = 0;
-    for (int k = 1; k < set->count; k++) {
-        double own[2] = {0};
-        if (set->active[k].row->energy)
-            set->active[k].row->energy(&set->active[k].context, &own[0], &own[1]);
-        *stored += own[0];
-        *taken += own[1];
-    }
-}
-
-double physics_work(const struct physics_set *set) {
-    double work = 0;
-    for (int k = 1; k < set->count; k++)
-        if (set->active[k].row->work)
-            work += set->active[k].row->work(&set->active[k].context);
-    return work;
-}
-
-static bool may_join(const struct physics_active *active) {
-    return active->row->joins && active->row->joins(&active->context);
-}
-
-bool physics_joins(const struct physics_set *set) {
-    bool joins = false;
-    for (int k = 1; k < set->count; k++)
-        joins = joins || may_join(&set->active[k]);
-    return joins;
-}
-
-bool physics_joined(const void *context, size_t i, size_t j) {
-    const struct physics_set *set = context;
-    for (int k = 1; k < set->count; k++)
-        if (may_join(&set->active[k]) && set->active[k].row->joined(&set->active[k].context, i, j))
-            return true;
-    return false;
-}
-
-void physics_stiffen(const struct physics_set *set, struct stability *stability) {
-    for (int k = 1; k < set->count; k++)
-        if (set->active[k].row->stiffen)
-            set->active[k].row->stiffen(&set->active[k].context, stability);
-}
-
-double physics_stiffest(const struct physics_set *set, const struct stability *stability) {
-    double most = 0;
-    for (int k = 1; k < set->count; k++)
-        if (set->active[k].row->stiffest)
-            most = fmax(most, set->active[k].row->stiffest(&set->active[k].context, stability));
-    return most;
-}
-
-bool physics_has_tables(const struct physics_set *set) {
-    bool has = false;
-    for (int k = 1; k < set->count; k++)
-        has = has || set->active[k].row->table_write;
-    return has;
-}
-
-bool physics_table_open(const struct physics_set *set, const char *directory, int64_t step,
-                        struct error *error) {
-    bool good = true;
-    for (int k = 1; good && k < set->count; k++)
-        if (set->active[k].row->table_open)
-            good = set->active[k].row->table_open(&set->active[k].context, directory, step, error);
-    return good;
-}
-
-bool physics_table_write(const struct physics_set *set, struct error *error) {
-    bool good = true;
-    for (int k = 1; k < set->count; k++)
-        if (set->active[k].row->table_write)
-            good = set->active[k].row->table_write(&set->active[k].context, error) && good;
-    return good;
+bool physics_meets(const struct physics_set *set) {
+    return set->obstacles && set->obstacles->row->obstacles->needed(&set->obstacles->context);
 }
 
 void physics_full_step(const struct physics_set *set) {
-    for (int k = 0; k < set->count; k++)
-        if (set->active[k].row->full_step)
-            set->active[k].row->full_step(&set->active[k].context);
+    PHYSICS_EACH (active, set, shown)
+        if (active->row->shown->full_step)
+            active->row->shown->full_step(&active->context);
 }
 
 void physics_look(const struct physics_set *set) {
@@ -253,43 +230,20 @@ void physics_look(const struct physics_set *set) {
 }
 
 double physics_limit(const struct physics_set *set, double most) {
-    for (int k = 0; k < set->count; k++)
-        if (set->active[k].row->limit)
-            most = fmin(most, set->active[k].row->limit(&set->active[k].context, most));
+    PHYSICS_EACH (active, set, limit)
+        most = fmin(most, active->row->limit->of(&active->context, most));
     return most;
 }
 
 const char *physics_limit_why(const struct physics_set *set, double limit) {
     const char *why = NULL;
-    for (int k = 1; k < set->count; k++) {
-        const struct physics_active *active = &set->active[k];
-        if (active->row->limit && active->row->limit(&active->context, INFINITY) <= limit)
-            why = active->row->limit_why;
-    }
+    PHYSICS_EACH (active, set, limit)
+        if (active->row->limit->of(&active->context, INFINITY) <= limit)
+            why = active->row->limit->why;
     return why;
 }
 
-void physics_guard(const struct physics_set *set, struct error *error) {
-    for (int k = 0; k < set->count; k++)
-        if (set->active[k].row->guard)
-            set->active[k].row->guard(&set->active[k].context, error);
-}
-
 void physics_restart(const struct physics_set *set, struct restart *restart) {
-    for (int k = 0; k < set->count; k++)
-        if (set->active[k].row->restart)
-            set->active[k].row->restart(&set->active[k].context, restart);
-}
-
-void physics_solvers(const struct physics_set *set, struct report *report) {
-    report->solvers = 0;
-    for (int k = 0; k < set->count; k++)
-        if (set->active[k].row->solvers && report->solvers == 0)
-            report->solvers = set->active[k].row->solvers(&set->active[k].context, report->solver);
-}
-
-void physics_print(const struct physics_set *set, FILE *file) {
-    for (int k = 0; k < set->count; k++)
-        if (set->active[k].row->print)
-            set->active[k].row->print(&set->active[k].context, file);
+    PHYSICS_EACH (active, set, restart)
+        active->row->restart(&active->context, restart);
 }

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
-/* A physics is a set of effects on particles, in one folder and one row of a table. Grains (engine/grains.c)
- * are a physics, and always active; a scene activates other physics by their sections (physics_table.h).
+/* A physics is a set of effects on particles, in one folder and one row of a table (physics_table.h). Grains
+ * (src/grains) are a physics that is always active; a scene activates other physics by their sections.
  *
  * A physics states the fields that it needs, its interactions (which particles meet, and up to which
  * distance), and the passes that it adds to the step. The engine merges the passes of all active physics into
@@ -12,7 +12,7 @@
  *   1. Make a folder src/NAME/ with the rows of its section of a scene, its fields and its observables
  *      (physics_table.h names the objects), and a local.mk that adds libNAME.la to PHYSICS_LIBS.
  *   2. Write its `struct physics`: interactions, create and destroy, passes.
- *   3. Add its row to PHYSICS_TABLE, and `include src/NAME/local.mk` to Makefile.am.
+ *   3. Add its row to PHYSICS_SECTION_TABLE, and `include src/NAME/local.mk` to Makefile.am.
  *   4. Write its test against a plain double loop, on several ranks and threads and on every index.
  *   5. `make pages` writes docs/scene.md and docs/output.md.
  *
@@ -22,34 +22,54 @@
  *      complete when the step ends: a pass that reads the force on a particle runs in PASS_LOOK, or in
  *      PASS_FIRST of the next step.
  *   2. Write its function: `whole`, `rows`, `block` or `share`, see struct physics_pass.
- *   3. Add its row to the array of passes of the physics, for grains in engine/grains.c, and count it in
- *      `passes`. `scree check SCENE` prints the plan in which the pass then is.
+ *   3. Add its row to the array of passes of the physics, for grains in src/grains/grains.c, and count it in
+ *      `passes`. `scree check --all SCENE` prints the plan in which the pass then is.
  *   4. The time of a pass is a stage of the report, unless its row names the stage of another pass as `timer`:
  *      `make pages` writes it to docs/output.md. (Passes of PASS_LOOK count as output.)
  *
- * A physics sees only its context, never the simulation. */
+ * A physics sees only its context, never the simulation. What only some physics have stands in *facets*, structs of their
+ * own below: a NULL facet says that the physics has no part in the matter, and so does a NULL function of a facet. The
+ * engine visits a facet by PHYSICS_EACH.
+ *
+ * One physics of a run moves the grains: the one that the scene gives and that has the facet `mover`, else src/grains.
+ * It adds the passes that move them, and context->moves_grains is true for it alone; the passes of src/grains that kick,
+ * drift and push are then left out, while the walls stay there and move. Pair lists, histories of contacts, walls and
+ * ranks serve any mover. */
 #ifndef SCREE_ENGINE_PHYSICS_H
 #define SCREE_ENGINE_PHYSICS_H
 
 #include "comm/ghosts.h"
-#include "contact/force.h"
+#include "core/exact.h"
 #include "core/log.h"
 #include "engine/clock.h"
+#include "formats/checkpoint_state.h"
 #include "formats/restart.h"
-#include "integrate/integrator.h"
 #include "observe/report.h"
+#include "pairs/history.h"
 #include "pairs/interaction.h"
+#include "pairs/ring.h"
+#include "pairs/rowset.h"
 #include "particles/fields.h"
 #include "physics_table.h"
 #include "scene/scene.h"
+#include <stddef.h>
 
 enum { PHYSICS_INTERACTIONS_MAX = 4 };
+
+/* What the engine asks of an evaluation of forces. */
+struct evaluation {
+    double dt;         /* time since the evaluation before; 0: the forces of a given state, memories stay */
+    bool sums, virial; /* energies are wanted, and the work of forces on distances */
+    const struct ring
+        *ring; /* a step in ring order: particles borrow force records (pairs/ring.h); else NULL */
+};
 
 /* The parts of a run that a physics may use. Borrowed; lists, classes and ghosts are those of the last
  * rebuild. */
 struct physics_context {
-    void *self;          /* the result of `create` */
-    const void *options; /* the section of the scene for this physics; NULL: none */
+    void *self;                    /* the result of `create` */
+    const void *options;           /* the section of the scene for this physics; NULL: none */
+    const struct physics_set *set; /* all physics of the run: for services of others */
     const struct scene *scene;
     const struct box *box;
     const struct comm *comm;
@@ -58,20 +78,12 @@ struct physics_context {
     struct particles *particles;
     const struct size_classes *classes;
     const struct pairlist *list[PHYSICS_INTERACTIONS_MAX]; /* lists of the interactions, in their order */
-    struct walls *walls;                                   /* NULL: none */
-    struct force_context *contact;     /* of grains; a physics may ask for the work of contacts in `create` */
-    struct integrator_context *motion; /* of grains; a physics that carries grains sets motion->carried */
     const struct clock *clock; /* number, time and length of the step; the length may change between steps */
-    struct timers *timers;     /* of the run, for the stages of the physics; only the main thread uses them */
+    const struct evaluation *evaluation; /* of forces: the one in progress, or the last one */
+    struct timers *timers; /* of the run, for the stages of the physics; only the main thread uses them */
     int threads;
-    double (*speed)
-        [CLASS_MAX]; /* [thread][class]: largest squared speed of this drift; a pass that moves particles
-                                   raises it, as the skin of pair lists lives by it */
-    bool ordered;    /* sums in an order that no layout changes */
-    struct force_sums
-        *sums;     /* of contacts, in the last evaluation: a physics that solves contacts fills it */
-    double *taken; /* sum of sums->taken since the start, to which that physics adds */
-    const double *speed_expected; /* of an impact; known from the first `limit` on */
+    bool moves_grains; /* this physics moves the grains */
+    bool ordered;      /* sums in an order that no layout changes */
 };
 
 /* The stages of a step, in which passes run. All passes of a stage run before those of the next. */
@@ -102,11 +114,12 @@ struct physics_pass {
     bool (*needed)(const struct physics_context *context); /* NULL: always */
     /* Called once; opens its own teams of threads. */
     void (*whole)(const struct physics_context *context);
-    /* MOVE: the owned particles [first, last) of one size class; needs no interaction. Adjacent passes by
-     * rows and by block share one visit to each block (plan.h). Called by many threads at once, each with its
+    /* MOVE: the owned particles [first, last) of one size class; needs no interaction. Returns the largest squared
+     * speed of those that it has moved, 0 if none, and no number if one is none: pair lists live by it. Adjacent passes
+     * by rows and by block share one visit to each block (plan.h). Called by many threads at once, each with its
      * own particles. */
-    void (*rows)(const struct physics_context *context, int thread, size_t first, size_t last,
-                 int size_class);
+    double (*rows)(const struct physics_context *context, int thread, size_t first, size_t last,
+                   int size_class);
     /* PAIRS: one block of the list of the physics' first interaction. Called by many threads at once, each
      * with its own blocks, in increasing order. `abandon` discards the blocks of an evaluation that must be
      * repeated. */
@@ -122,87 +135,208 @@ struct physics_share {
     int64_t first_id; /* ids from this one on are free */
 };
 
-struct stability;
-
-struct physics {
-    const char *name;
+/* Facet of a physics with interactions: which particles meet, and up to which distance. */
+struct physics_search {
     int interactions;
     /* `context` of a row is replaced by the options, or by the own data if `range_of_self`. */
     struct interaction interaction[PHYSICS_INTERACTIONS_MAX];
     bool range_of_self;
+    /* True if the physics reads its lists in `rebuilt` alone and nothing that it knows moves: where all physics with
+     * interactions say so, the engine then releases the memory of the search. NULL: false. */
+    bool (*rests)(const struct physics_context *context);
+};
+
+/* Facet of a physics that bounds the time step. */
+struct physics_limit {
+    /* The largest time step, up to `most`, that is stable for the present state. Collective. */
+    double (*of)(const struct physics_context *context, double most);
+    const char
+        *why; /* its cause, for messages: "advection of the fluid ..."; NULL: the mover's `why` tells */
+};
+
+/* Facet of a physics that makes particles of its own (physics_table.h). */
+struct physics_maker {
+    /* Bits 1 << kind (kinds.h) of those that move. NULL: none. */
+    unsigned (*moving)(const void *options);
+    /* Appends this rank's share, wherever the particles lie: the first rebuild sends them to their
+     * owners. After the grains have been made, in a run that is not resumed; kinds (kinds.h) are registered. The same
+     * ids on any number of ranks. Collective. Errors may differ between ranks. */
+    bool (*fill)(const struct physics_context *context, const struct physics_share *share,
+                 struct error *error);
+};
+
+/* Facet of a physics that remembers pairs: rows at both particles of a pair (pairs/history.h), by owned particle, of which
+ * `components` doubles count. The engine asks before each rebuild, and for a checkpoint; it carries the rows with their
+ * particles through deletion, migration, reorder, checkpoint and resume. The physics forgets what it derived from their
+ * numbers; `rebuilt` finds them in the new order. */
+struct physics_rows {
+    struct history_rows *(*of)(
+        const struct physics_context *context); /* `start` is there, owned + 1 entries */
+    int components;
+    /* True if the step in progress must rebuild. The same on all ranks. */
+    bool (*due)(const struct physics_context *context);
+    /* After `rebuilt`. True if the ranges of interactions or the rows have changed: the engine
+     * rebuilds at once, a second time, with new size classes. The same on all ranks; false the second time.
+     * Collective. */
+    bool (*again)(const struct physics_context *context);
+};
+
+struct stability;
+
+/* Facet of a physics that joins grains. */
+struct physics_joints {
+    /* True if two particles of the list of contacts, one of them owned, have no contact now; any thread. Asked
+     * if `joins` is true, at the start. */
+    bool (*joined)(const struct physics_context *context, size_t i, size_t j);
+    bool (*joins)(const struct physics_context *context);
+    /* Its part in the stability of contacts (integrate/stability.h): adds the springs at owned particles; the largest
+     * L_i + L_j of its pairs. */
+    void (*stiffen)(const struct physics_context *context, struct stability *stability);
+    double (*stiffest)(const struct physics_context *context, const struct stability *stability);
+};
+
+/* This rank's parts in the balance of energies: energy that the physics holds; energy that it has taken from the grains
+ * for good since the start; its work on grains since the start, negative if it took energy. */
+struct physics_energy {
+    double held, taken, work;
+};
+
+/* Facet of a physics with a table of its own in the folder of a run: opens it, cut behind `step` if the run goes on from
+ * there (-1: a new run); appends the rows that are due: with output, before a checkpoint, at the end. Collective;
+ * errors may differ between ranks. */
+struct physics_table {
+    bool (*open)(const struct physics_context *context, const char *directory, int64_t step,
+                 struct error *error);
+    bool (*write)(const struct physics_context *context, struct error *error);
+};
+
+struct notes;
+
+/* Facet of a physics with more to show than fields and observables. */
+struct physics_shown {
+    /* Stages of the report beside those of the passes, which the physics starts by timer_enter. */
+    int stages;
+    const struct timer_stage *stage;
+    /* Brings velocities that integrator_full_step reads up to date, before they are observed. Collective. */
+    void (*full_step)(const struct physics_context *context);
+    /* Fills its part of a view of the run; of the report, collective; of the notes on a scene, collective (notes.h). */
+    void (*view)(const struct physics_context *context, struct output_view *view);
+    void (*report)(const struct physics_context *context, struct report *report);
+    void (*notes)(const struct physics_context *context, struct notes *notes);
+    /* Notes at the end of a run that began at step `first`, on what it has seen. NULL: none. Any rank. */
+    void (*seen)(const struct physics_context *context, uint64_t first, struct notes *notes);
+};
+
+/* The energies of grains, this rank's part: the last one is the work taken for good since the start. */
+enum {
+    GRAINS_KINETIC,
+    GRAINS_ROTATIONAL,
+    GRAINS_GRAVITY,
+    GRAINS_NORMAL,
+    GRAINS_TANGENTIAL,
+    GRAINS_TAKEN,
+    GRAINS_ENERGIES
+};
+
+/* The sums that make the stress of the box: six products of distance and force, and the energy of normal springs. */
+enum { STRESS_SUMS = 7 };
+
+/* Facet of a physics that can move the grains. The engine asks the one that does; but `prepare` of each. */
+struct physics_mover {
+    /* The evaluation that follows, or the length of steps, is another one: context->evaluation, context->clock. */
+    void (*prepare)(const struct physics_context *context);
+    /* After the forces of the state from which a run starts; resumed runs do without. Collective. */
+    void (*begin)(const struct physics_context *context);
+    /* Moves the velocities of grains back by half of `dt`, under the present forces. */
+    void (*shift)(const struct physics_context *context, double dt);
+    /* The largest stable step for what may come, from the particles at the start; INFINITY: any. Collective. `why`
+     * writes the cause. NULL: any. */
+    double (*expected)(const struct physics_context *context);
+    void (*why)(const struct physics_context *context, char *text, size_t room);
+    /* The fraction of the stable step that a run takes if its scene gives none. NULL: 1. */
+    double (*fraction)(void);
+    /* The largest overlap over the smaller radius in the last evaluation; INFINITY: not known. NULL: 0. */
+    double (*overlap)(const struct physics_context *context);
+    /* Sides of contacts in the last evaluation. NULL: none. */
+    size_t (*contacts)(const struct physics_context *context);
+    /* Adds this rank's sums of the last evaluation, for which evaluation->virial was set: without rounding to `exact`,
+     * if that is not NULL, else to `sum`. */
+    void (*stress)(const struct physics_context *context, struct exact exact[STRESS_SUMS],
+                   double sum[STRESS_SUMS]);
+    /* Adds this rank's energies at the full step; `mechanical`: without what needs sums at each step. */
+    void (*energies)(const struct physics_context *context, bool mechanical, double energy[GRAINS_ENERGIES]);
+    /* The memory of contacts, of pairs of the first list of the run: the engine keeps it over rebuilds, checkpoints
+     * and resumes. Asked once, after `create`. NULL: none. */
+    struct history *(*history)(const struct physics_context *context);
+};
+
+/* Facet of a physics that holds what grains meet beside grains: walls. At most one of a run has it. */
+struct physics_obstacles {
+    /* True if a sphere at x (box-relative) would overlap one. Any thread. */
+    bool (*taken)(const struct physics_context *context, const double x[3], double radius);
+    /* A bound on their displacement since the last search. */
+    double (*displacement)(const struct physics_context *context);
+    /* Work on grains since the start, this rank's part. */
+    double (*work)(const struct physics_context *context);
+    /* The owned particles that feel them, increasing; borrowed. Returns how many. */
+    size_t (*near)(const struct physics_context *context, const uint32_t **number);
+    /* True if `search`, `detach` and `attach` are needed. `search` runs in a rebuild, once particles have their places. */
+    bool (*needed)(const struct physics_context *context);
+    void (*search)(const struct physics_context *context);
+    /* The memory of contacts with them as rows; and back, after `search`. */
+    void (*detach)(const struct physics_context *context, struct rowset *rows);
+    void (*attach)(const struct physics_context *context, const struct rowset *rows);
+    /* In a rebuild, after particles have come or gone. */
+    void (*changed)(const struct physics_context *context);
+    /* Fills `error` if the place or the motion of one, or the force on it, is not finite. */
+    void (*finite)(const struct physics_context *context, struct error *error);
+};
+
+/* Facet of a physics with its own part of a checkpoint, beside fields, rows and restart numbers. */
+struct physics_record {
+    /* Fills its part; `rows` are those of the obstacles. All is borrowed until the checkpoint is written. Collective. */
+    void (*save)(const struct physics_context *context, const struct rowset *rows,
+                 struct checkpoint *checkpoint);
+    /* Refuses a checkpoint of another scene. */
+    bool (*fits)(const struct physics_context *context, const char *path,
+                 const struct checkpoint_loaded *loaded, struct error *error);
+    /* Takes its part, after all restart numbers; fills the rows of the obstacles. */
+    void (*resume)(const struct physics_context *context, struct checkpoint_loaded *loaded,
+                   struct rowset *rows);
+};
+
+struct physics {
+    const char *name;
+    bool box_moves; /* it works in a box that moves (particles/box.h); else such a scene is refused */
     int passes;
     const struct physics_pass *pass;
-    /* Stages of the report beside those of the passes, which the physics starts by timer_enter; with `stages`
-     * entries. */
-    const struct timer_stage *stage;
-    int stages;
-    bool box_moves; /* it works in a box that moves (particles/box.h); else such a scene is refused */
-    /* Refuses options that do not go together: a user's error. The same on all ranks. NULL: nothing to refuse. */
+    /* Refuses options that do not go together: a user's error. NULL: nothing to refuse. */
     bool (*check)(const struct physics_context *context, struct error *error);
-    /* Bits 1 << kind (kinds.h) of its own particles that move. NULL: none. */
-    unsigned (*moving)(const void *options);
     /* Makes the physics' own data: after the particles' fields have been registered, before the first
      * rebuild. NULL: no data. */
     void *(*create)(const struct physics_context *context);
     void (*destroy)(void *self);
-    /* Appends this rank's share of the physics' own particles, wherever they lie: the first rebuild sends them to their
-     * owners. After the grains have been made, in a run that is not resumed; kinds (kinds.h) are registered. The same
-     * ids on any number of ranks. NULL: no particles. Collective. Errors may differ between ranks. */
-    bool (*fill)(const struct physics_context *context, const struct physics_share *share,
-                 struct error *error);
     /* Called after each rebuild, when the lists are new. NULL: nothing to do. */
     void (*rebuilt)(const struct physics_context *context);
-    /* True if the physics reads its lists in `rebuilt` alone and nothing that it knows moves: where all physics with
-     * interactions say so, the engine then releases the memory of the search. NULL: false. */
-    bool (*rests)(const struct physics_context *context);
-    /* The memory of pairs of the physics: rows at both particles of a pair (pairs/history.h), by owned particle,
-     * of which `row_components` doubles count. The engine asks before each rebuild, and for a checkpoint; it
-     * carries the rows with their particles through deletion, migration, reorder, checkpoint and resume. The
-     * physics forgets what it derived from their numbers; `rebuilt` finds them in the new order. `start` is
-     * there, owned + 1 entries. NULL: no rows. */
-    struct history_rows *(*rows)(const struct physics_context *context);
-    int row_components;
-    /* True if the step in progress must rebuild. The same on all ranks. NULL: never. */
-    bool (*due)(const struct physics_context *context);
-    /* As `rebuilt`, which it follows. True if the ranges of interactions or the rows have changed: the engine
-     * rebuilds at once, a second time, with new size classes. The same on all ranks; false the second time.
-     * Collective. NULL: false. */
-    bool (*rebuilt_again)(const struct physics_context *context);
-    /* This rank's parts of the energy that the physics holds, and of the energy that it has taken from the
-     * grains for good since the start: parts of the balance of energies. NULL: none. */
-    void (*energy)(const struct physics_context *context, double *stored, double *taken);
-    /* Work that the physics has done on grains since the start, negative if it took energy; this rank's part.
-     * NULL: none. */
-    double (*work)(const struct physics_context *context);
-    /* True if two particles of the list of contacts, one of them owned, have no contact now; any thread. Asked
-     * if `joins` is true, at the start. NULL: all have. */
-    bool (*joined)(const struct physics_context *context, size_t i, size_t j);
-    bool (*joins)(const struct physics_context *context);
-    /* The part of the physics in the stability of contacts (integrate/stability.h): adds the springs at owned
-     * particles; the largest L_i + L_j of its pairs. NULL: none. */
-    void (*stiffen)(const struct physics_context *context, struct stability *stability);
-    double (*stiffest)(const struct physics_context *context, const struct stability *stability);
-    /* Opens the tables that the physics writes into the folder of a run, cut behind `step` if the run goes on
-     * from there (-1: a new run); and appends the rows that are due: with output, before a checkpoint, at the
-     * end. Collective; errors may differ between ranks. NULL: none. */
-    bool (*table_open)(const struct physics_context *context, const char *directory, int64_t step,
-                       struct error *error);
-    bool (*table_write)(const struct physics_context *context, struct error *error);
-    /* Brings velocities that integrator_full_step reads up to date, before they are observed. NULL: nothing to
-     * do. Collective. */
-    void (*full_step)(const struct physics_context *context);
-    /* The largest time step, up to `most`, that is stable for the present state. NULL: any. Collective. */
-    double (*limit)(const struct physics_context *context, double most);
-    const char *limit_why; /* the cause of the limit, for messages: "advection of the fluid ..." */
     /* Looks for physical nonsense after a step; fills `error`. NULL: no check. */
     void (*guard)(const struct physics_context *context, struct error *error);
+    /* Sets its parts in the balance of energies. NULL: none. */
+    void (*energy)(const struct physics_context *context, struct physics_energy *energy);
     /* Prints lines for `scree check`, by rank 0 alone, at the start. NULL: none. Collective. */
     void (*print)(const struct physics_context *context, FILE *file);
-    /* Fills rows of the report with the linear solvers of the physics; returns how many, up to REPORT_SOLVERS_MAX.
-     * NULL: none. Collective. */
-    int (*solvers)(const struct physics_context *context, struct report_solver *solver);
     /* Adds the numbers that a resume needs, with their names. NULL: none. */
     void (*restart)(const struct physics_context *context, struct restart *restart);
+    /* The facets. */
+    const struct physics_search *search;
+    const struct physics_limit *limit;
+    const struct physics_maker *maker;
+    const struct physics_rows *rows;
+    const struct physics_joints *joints;
+    const struct physics_table *table;
+    const struct physics_shown *shown;
+    const struct physics_mover *mover;
+    const struct physics_obstacles *obstacles;
+    const struct physics_record *record;
 };
 
 /* The physics of a run. */
@@ -213,25 +347,37 @@ struct physics_active {
 };
 struct physics_set {
     int count;
-    struct physics_active active[PHYSICS_COUNT + 1];
-    struct interactions *interactions; /* borrowed */
+    struct physics_active active[PHYSICS_ALL];
+    const struct physics_active *mover;     /* the one that moves the grains */
+    const struct physics_active *obstacles; /* the one with this facet; NULL: none */
+    struct interactions *interactions;      /* borrowed */
+    double (
+        *speed)[CLASS_MAX]; /* [thread][class]: largest squared speed of the last drift, raised by passes by
+                                   rows; borrowed */
 };
 
-/* Finds the physics that a scene asks for, after `grains`, adds their interactions and registers their
- * fields. `context` has all members but self and lists; `context->options` are those of grains. One
- * thread. */
-void physics_begin(struct physics_set *set, const struct physics *grains,
-                   const struct physics_context *context, struct interactions *interactions);
+/* The active physics behind `before` (NULL: the first one) with a member, by its offset in struct physics, that is not
+ * NULL; NULL: no more. */
+const struct physics_active *physics_next(const struct physics_set *set, const struct physics_active *before,
+                                          size_t member);
+#define PHYSICS_EACH(active, set, member)                                                                    \
+    for (const struct physics_active *active = NULL;                                                         \
+         (active = physics_next(set, active, offsetof(struct physics, member))) != NULL;)
 
-/* The row of a physics of the table, and the key of its section. */
+/* Starts the physics that are always there, which register their fields, then those that the scene asks for; adds their
+ * interactions. `context` has all members but self, options and lists. Collective; errors may differ between ranks. */
+bool physics_begin(struct physics_set *set, const struct physics_context *context,
+                   struct interactions *interactions, struct error *error);
+
+/* The row of a physics: of those that a scene may ask for, then of those that are always there; the key of its section. */
 const struct physics *physics_get(enum physics_number number);
 const char *physics_key(enum physics_number number);
 
-/* Checks the options of all physics, and creates the own data of all but grains, whose data are `self`. */
-bool physics_create(struct physics_set *set, void *self, struct error *error);
+/* Checks the options of all physics, and creates the own data of those that the scene asks for. */
+bool physics_create(struct physics_set *set, struct error *error);
 void physics_free(struct physics_set *set);
 
-/* The own data of each physics of the table; NULL of those that are not in the run. */
+/* The own data of each physics that a scene may ask for; NULL of those that are not in the run. */
 void physics_own(const struct physics_set *set, const void *own[PHYSICS_COUNT]);
 
 /* Adds the particles of all physics. Collective; errors may differ between ranks. */
@@ -240,6 +386,9 @@ bool physics_fill(const struct physics_set *set, const struct physics_share *sha
 /* Gives each physics its lists, after the interactions with their own lists are known
  * (interactions_divide). */
 void physics_lists(struct physics_set *set, const struct interactions *interactions);
+
+/* Tells each mover of another evaluation, or of another length of steps. */
+void physics_prepare(const struct physics_set *set);
 
 /* Calls `rebuilt` of all physics, after the search of a rebuild. True if the engine must rebuild again. */
 bool physics_rebuilt(struct physics_set *set, struct ghosts *ghosts);
@@ -250,33 +399,15 @@ bool physics_rests(const struct physics_set *set);
 /* True if a physics needs a rebuild in the step in progress. */
 bool physics_due(const struct physics_set *set);
 
-/* True if a physics has rows. */
-bool physics_carries(const struct physics_set *set);
-
-/* The rows of the physics in their order in the table, NULL of those without, after they have been asked for. */
+/* The rows of all physics, by number, and their components; NULL where a physics has none. */
 void physics_rows(const struct physics_set *set, struct history_rows *rows[PHYSICS_COUNT],
                   int components[PHYSICS_COUNT]);
 
-/* This rank's parts of the energies of all. */
-void physics_energy(const struct physics_set *set, double *stored, double *taken);
+/* This rank's parts of all in the balance of energies. */
+void physics_energies(const struct physics_set *set, struct physics_energy *energy);
 
-/* This rank's part of the work of all on grains. */
-double physics_work(const struct physics_set *set);
-
-/* True if a physics says that the pair has no contact; `set` as context for struct force_context. physics_joins:
- * a physics may. */
-bool physics_joined(const void *set, size_t i, size_t j);
-bool physics_joins(const struct physics_set *set);
-
-/* The parts of all in the stability of contacts. */
-void physics_stiffen(const struct physics_set *set, struct stability *stability);
-double physics_stiffest(const struct physics_set *set, const struct stability *stability);
-
-/* True if a physics has tables; opens the tables of all; writes them. Collective; errors may differ between ranks. */
-bool physics_has_tables(const struct physics_set *set);
-bool physics_table_open(const struct physics_set *set, const char *directory, int64_t step,
-                        struct error *error);
-bool physics_table_write(const struct physics_set *set, struct error *error);
+/* True if the set's obstacles are there and take part. */
+bool physics_meets(const struct physics_set *set);
 
 /* Calls `full_step` of all physics. Collective. */
 void physics_full_step(const struct physics_set *set);
@@ -284,18 +415,13 @@ void physics_full_step(const struct physics_set *set);
 /* Runs the passes before output, after physics_full_step. Collective. */
 void physics_look(const struct physics_set *set);
 
-/* The smallest limit of all physics; the guards of all; the restart numbers of all. */
+/* The smallest limit of all physics. */
 double physics_limit(const struct physics_set *set, double most);
 
-/* The cause of a limit, if that of a physics other than grains is no larger; else NULL. Collective. */
+/* The cause of a limit, if that of a physics which tells causes is no larger; else NULL. Collective. */
 const char *physics_limit_why(const struct physics_set *set, double limit);
-void physics_guard(const struct physics_set *set, struct error *error);
+
+/* The restart numbers of all physics. */
 void physics_restart(const struct physics_set *set, struct restart *restart);
-
-/* The linear solvers of all physics, for the report. Collective. */
-void physics_solvers(const struct physics_set *set, struct report *report);
-
-/* Prints the lines of all physics. Collective. */
-void physics_print(const struct physics_set *set, FILE *file);
 
 #endif

@@ -3,6 +3,7 @@
 #include "engine/plan.h"
 #include "engine/stages.h"
 #include <assert.h>
+#include <math.h>
 #include <string.h>
 
 static void visit_add(struct plan_visit *visit, const struct plan_pass *pass) {
@@ -27,13 +28,14 @@ static void add_engine(struct plan *plan, const struct engine_pass *pass, const 
 
 static struct plan_pass entry_of(const struct physics_set *set, const struct physics_active *active,
                                  const struct physics_pass *pass, const struct timers *timers) {
-    assert(pass->block == NULL || active->row->interactions > 0);
+    assert(pass->block == NULL || active->row->search);
     return (struct plan_pass){.name = pass->name,
                               .why = pass->why,
                               .timer = stages_of_pass(timers, pass),
                               .pass = pass,
                               .context = &active->context,
-                              .list = pass->rows ? set->active[0].context.list[0] : active->context.list[0]};
+                              .list = pass->rows ? set->active[0].context.list[0] : active->context.list[0],
+                              .speed = set->speed};
 }
 
 /* Adds the passes of a stage to the plan; passes that fit the visit go to `visit` instead. */
@@ -96,11 +98,15 @@ static bool ring_fits(const struct physics_set *set, const struct plan_visit *mo
 static void ring_make(struct step_plan *plan, const struct plan *alone, const struct physics_set *set,
                       const struct engine_passes *engine, const struct timers *timers,
                       const struct simulation *simulation) {
+    add_engine(&plan->begin, engine->first, timers, simulation);
     add_stage(&plan->begin, NULL, set, timers, PASS_FIRST);
     add_stage(&plan->begin, NULL, set, timers, PASS_MOVE);
+    add_engine(&plan->begin, engine->moving, timers, simulation);
     add_stage(&plan->begin, NULL, set, timers, PASS_MOVED);
     add_engine(&plan->begin, engine->moved, timers, simulation);
+    add_engine(&plan->go_on, engine->first, timers, simulation);
     add_stage(&plan->go_on, NULL, set, timers, PASS_FIRST);
+    add_engine(&plan->go_on, engine->moving, timers, simulation);
     add_stage(&plan->go_on, NULL, set, timers, PASS_MOVED);
     add_engine(&plan->go_on, engine->moved, timers, simulation);
     add_engine(&plan->exchange, engine->renew, timers, simulation);
@@ -119,8 +125,11 @@ void plan_make(struct step_plan *plan, const struct physics_set *set, const stru
                const struct timers *timers, const struct simulation *simulation) {
     struct plan alone = {0};
     *plan = (struct step_plan){0};
-    for (int stage = PASS_FIRST; stage <= PASS_MOVED; stage++)
-        add_stage(&plan->plain, NULL, set, timers, (enum pass_stage)stage);
+    add_engine(&plan->plain, engine->first, timers, simulation);
+    add_stage(&plan->plain, NULL, set, timers, PASS_FIRST);
+    add_stage(&plan->plain, NULL, set, timers, PASS_MOVE);
+    add_engine(&plan->plain, engine->moving, timers, simulation);
+    add_stage(&plan->plain, NULL, set, timers, PASS_MOVED);
     add_engine(&plan->plain, engine->moved, timers, simulation);
     add_engine(&plan->plain, engine->renew, timers, simulation);
     add_stage(&plan->forces, NULL, set, timers, PASS_PAIRS);
@@ -131,8 +140,11 @@ void plan_make(struct step_plan *plan, const struct physics_set *set, const stru
     for (int p = 0; p < plan->forces.passes; p++)
         add(&plan->plain, &plan->forces.pass[p]);
 
+    add_engine(&plan->fused, engine->first, timers, simulation);
     add_stage(&plan->fused, NULL, set, timers, PASS_FIRST);
+    add_engine(&plan->fused, engine->moving, timers, simulation);
     add_stage(&plan->fused, NULL, set, timers, PASS_MOVED);
+    plan->moves.speed = set->speed;
     add_stage(&plan->fused, &plan->moves, set, timers, PASS_MOVE);
     add_stage(&alone, &plan->pairs, set, timers, PASS_PAIRS);
     add_engine(&plan->fused, engine->sweep, timers, simulation);
@@ -146,8 +158,13 @@ void plan_make(struct step_plan *plan, const struct physics_set *set, const stru
 }
 
 void plan_move(const struct plan_visit *moves, int thread, size_t first, size_t last, int size_class) {
-    for (int p = 0; p < moves->count; p++)
-        moves->pass[p].pass->rows(moves->pass[p].context, thread, first, last, size_class);
+    double *largest = &moves->speed[thread][size_class];
+    for (int p = 0; p < moves->count; p++) {
+        double v2 = moves->pass[p].pass->rows(moves->pass[p].context, thread, first, last, size_class);
+        /* what is no number is kept, so that the guards find it */
+        if (!isnan(*largest) && !(v2 <= *largest))
+            *largest = v2;
+    }
 }
 
 void plan_block(const struct plan_visit *pairs, int thread, int block) {
@@ -190,7 +207,7 @@ static void pass_run(const struct plan_pass *entry, struct simulation *simulatio
         for (int t = 0; t < context->threads; t++)
             pass->share(context, t);
     } else {
-        struct plan_visit one = {.count = 1, .pass = {*entry}};
+        struct plan_visit one = {.count = 1, .speed = entry->speed, .pass = {*entry}};
         if (pass->rows)
             plan_move_all(&one, entry->list);
         else

@@ -40,6 +40,7 @@ struct plan_pass {
     const struct physics_pass *pass;
     const struct physics_context *context; /* borrowed from the physics set */
     const struct pairlist *list;           /* whose blocks the pass visits; by rows: the list of the sweep */
+    double (*speed)[CLASS_MAX];            /* by rows: of the set */
 };
 
 struct plan {
@@ -50,6 +51,8 @@ struct plan {
 /* Passes that share a visit. */
 struct plan_visit {
     int count;
+    double (
+        *speed)[CLASS_MAX]; /* [thread][class]: raised to the largest squared speed of what moves; borrowed */
     struct plan_pass pass[PLAN_PASSES_MAX];
 };
 
@@ -64,6 +67,8 @@ struct step_plan {
 
 /* The engine's own passes between the stages of the physics; lists end with a NULL run. */
 struct engine_passes {
+    const struct engine_pass *first;  /* all orders: before PASS_FIRST */
+    const struct engine_pass *moving; /* all orders: before PASS_MOVED */
     const struct engine_pass *moved;  /* plain and ring: after everything has moved */
     const struct engine_pass *renew;  /* plain and ring: then */
     const struct engine_pass *shared; /* plain and fused: before PASS_CLOSE */

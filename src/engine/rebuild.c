@@ -14,6 +14,7 @@
 #include "engine/stay.h"
 #include "engine/guards.h"
 #include "engine/load.h"
+#include "engine/order_plan.h"
 #include "core/memory.h"
 #include "particles/kinds.h"
 #include <math.h>
@@ -60,8 +61,7 @@ static void reorder(struct simulation *s, struct rebuild_rows *rows) {
     particles_reorder(s->particles, order);
     if (rows->pairs.start)
         history_rows_reorder(&rows->pairs, order, owned);
-    if (rows->walls.start)
-        wall_rows_reorder(&rows->walls, order, owned);
+    rowset_reorder(&rows->walls, order, owned);
     for (int k = 0; k < PHYSICS_COUNT; k++)
         if (rows->carried[k])
             history_rows_reorder(rows->carried[k], order, owned);
@@ -73,7 +73,7 @@ static void keep(struct simulation *s, struct rebuild_rows *rows) {
                                       numbered ? rows->before : s->particles->owned};
     const struct history_followers followers = {&rows->loose, s->particles, rows->near, rows->near_count};
     if (rows->keep)
-        history_keep(s->grains.history, s->grains.list, &numbers, rows->loose.carrier ? &followers : NULL,
+        history_keep(s->search.history, s->search.list, &numbers, rows->loose.carrier ? &followers : NULL,
                      &rows->kept);
 }
 
@@ -81,16 +81,16 @@ static void springs_restore(struct simulation *s, struct rebuild_rows *rows) {
     struct history_twins twins = {0};
     if (!s->ranks.alone)
         twins.original = ghosts_own(s->ranks.ghosts, &twins.first, &twins.count);
-    history_restore(s->grains.history, &rows->kept, &twins, s->grains.list);
+    history_restore(s->search.history, &rows->kept, &twins, s->search.list);
 }
 
 static void attach(struct simulation *s, struct rebuild_rows *rows) {
     if (rows->keep)
         springs_restore(s, rows);
     else if (rows->pairs.start)
-        history_attach(s->grains.history, &rows->pairs, s->grains.list, s->particles, images_apart(s));
+        history_attach(s->search.history, &rows->pairs, s->search.list, s->particles, images_apart(s));
     if (rows->walls.start)
-        walls_attach(s->grains.walls, &rows->walls, s->particles);
+        s->physics.obstacles->row->obstacles->attach(&s->physics.obstacles->context, &rows->walls);
     skin_reset(s->search.skin, s->particles);
 }
 
@@ -134,53 +134,9 @@ static void used_pass(struct simulation *s, struct rebuild_rows *rows) {
     memory_free(used);
 }
 
-static size_t early_count(const struct sweep *sweep) {
-    size_t early = 0;
-    for (int t = 0; t < sweep->threads; t++)
-        for (size_t r = 0; r < sweep->thread[t].early_count; r++)
-            early += sweep->thread[t].early[r].last - sweep->thread[t].early[r].first;
-    return early;
-}
-
-/* The ring order has one more pass, over the particles that move early in the fused one, and over those at walls: it is
- * planned unless these are more than one in RING_PART. */
-enum { RING_PART = 3 };
-
-static void plan_sweep(struct simulation *s) {
-    size_t many = s->particles->owned / RING_PART;
-    struct ring *ring = s->search.ring;
-    struct sweep_numbers early[2] = {{0}};
-    if (!s->ranks.alone)
-        early[0].number = ghosts_step_originals(s->ranks.ghosts, &early[0].count);
-    if (ring && s->grains.walls && s->grains.law.materials > 0)
-        early[1].count = walls_candidates(s->grains.walls, &early[1].number);
-    bool few = early[1].count <= many;
-    if (!few)
-        early[1].count = 0;
-    sweep_build(s->search.sweep, s->grains.list, s->particles->owned, early);
-    if (ring)
-        ring->sweep = NULL;
-    if (ring && few && early_count(s->search.sweep) <= many)
-        ring_build(ring, s->search.sweep, s->grains.list, s->particles->owned,
-                   s->particles->owned + s->particles->ghosts);
-}
-
-void rebuild_plan(struct simulation *s) {
-    if (!s->search.sweep->stale)
-        return;
-    int stage = stages_find(&s->timers, "pairs");
-    timer_start(&s->timers, stage);
-    plan_sweep(s);
-    timer_stop(&s->timers, stage);
-}
-
-/* The ranks agree whether the ring order pays on all of them. */
 static void plan_pass(struct simulation *s, struct rebuild_rows *rows) {
     (void)rows;
-    plan_sweep(s);
-    int64_t without = s->search.ring->sweep == NULL;
-    comm_max_int(s->comm, &without, 1);
-    s->search.ring_agreed = without == 0;
+    order_agree(s);
 }
 
 /* Sets size classes: particles that have arrived have none, and after a new choice of classes the classes of
@@ -194,26 +150,9 @@ static void classify(struct simulation *s, struct rebuild_rows *rows) {
     particles_classify_from(s->particles, &s->classes, first);
 }
 
-/* The motion of walls is bounded in the region of the particles, including particles outside an open box. */
-static void walls_reach(struct simulation *s) {
-    double lower[3] = {INFINITY, INFINITY, INFINITY}, upper[3] = {-INFINITY, -INFINITY, -INFINITY};
-    if (!walls_move(s->grains.walls))
-        return;
-#pragma omp parallel for schedule(static) reduction(min : lower) reduction(max : upper)
-    for (size_t k = 0; k < s->particles->owned; k++)
-        for (int d = 0; d < 3; d++) {
-            lower[d] = fmin(lower[d], s->particles->state[k].x[d]);
-            upper[d] = fmax(upper[d], s->particles->state[k].x[d]);
-        }
-    comm_min(s->comm, lower, 3);
-    comm_max(s->comm, upper, 3);
-    walls_set_extent(s->grains.walls, lower, upper);
-}
-
 static void walls_pass(struct simulation *s, struct rebuild_rows *rows) {
     (void)rows;
-    walls_reach(s);
-    walls_build(s->grains.walls, s->particles, &s->classes);
+    s->physics.obstacles->row->obstacles->search(&s->physics.obstacles->context);
 }
 
 /* If images matter, springs find their pairs by separations, so copies must follow the present positions of
@@ -240,11 +179,11 @@ static void balance(struct simulation *s, struct rebuild_rows *rows) {
 static void detach(struct simulation *s, struct rebuild_rows *rows) {
     bool given = s->sources.given.added > 0 || s->sources.given.taken > 0;
     bool none_lost = !given && !sources_due(s) && !simulation_may_lose(s);
-    bool keeps = s->grains.history && none_lost && one_image(s);
+    bool keeps = s->search.history && none_lost && one_image(s);
     if (!keeps)
         rebuild_detach(s, !s->ranks.alone, rows);
-    else if (s->grains.walls)
-        walls_detach(s->grains.walls, s->particles, &rows->walls);
+    else
+        rebuild_detach_obstacles(s, rows);
     rows->keep = keeps;
     if (keeps && !s->ranks.alone) {
         const uint32_t *originals = ghosts_originals(s->ranks.ghosts, &rows->near_count);
@@ -270,14 +209,15 @@ static void wrap(struct simulation *s, struct rebuild_rows *rows) {
     rows->revision = s->particles->revision;
     if (particles_wrap(s->particles, &box))
         return;
-    guards_check_positions(s);
+    guards_check_finite(s);
     guards_check_images(s);
 }
 
-/* Particles come and go. The partners of walls depend on which particles are prescribed. */
 static void come_and_go(struct simulation *s, struct rebuild_rows *rows) {
+    const struct physics_active *obstacles = s->physics.obstacles;
     sources_run(s, rows);
-    integrator_prescribe(s->particles, &s->grains.motion);
+    if (obstacles)
+        obstacles->row->obstacles->changed(&obstacles->context);
     load_begin(s);
 }
 
@@ -292,8 +232,7 @@ static void search_release(struct simulation *s) {
 static void tell_physics(struct simulation *s, struct rebuild_rows *rows) {
     rows->again = physics_rebuilt(&s->physics, s->ranks.alone ? NULL : s->ranks.ghosts);
     s->classes_stale = s->classes_stale || rows->again;
-    if (s->search.sweep)
-        s->search.sweep->stale = true;
+    order_forget(s);
     if (!rows->again && physics_rests(&s->physics))
         search_release(s);
 }
@@ -308,26 +247,26 @@ static bool skin_chosen(const struct simulation *s, const struct rebuild_rows *r
 }
 static bool many_with_history(const struct simulation *s, const struct rebuild_rows *rows) {
     (void)rows;
-    return !s->ranks.alone && s->grains.history;
+    return !s->ranks.alone && s->search.history;
 }
 static bool many_that_keep(const struct simulation *s, const struct rebuild_rows *rows) {
     return !s->ranks.alone && (rows == NULL || rows->keep);
 }
-static bool many_with_ring(const struct simulation *s, const struct rebuild_rows *rows) {
+static bool order_agrees(const struct simulation *s, const struct rebuild_rows *rows) {
     (void)rows;
-    return !s->ranks.alone && s->search.ring;
+    return order_needs_agreement(s);
 }
 static bool with_walls(const struct simulation *s, const struct rebuild_rows *rows) {
     (void)rows;
-    return s->grains.walls && s->grains.law.materials > 0;
+    return physics_meets(&s->physics);
 }
 static bool with_carried(const struct simulation *s, const struct rebuild_rows *rows) {
     (void)rows;
-    return physics_carries(&s->physics);
+    return physics_next(&s->physics, NULL, offsetof(struct physics, rows)) != NULL;
 }
 static bool with_history(const struct simulation *s, const struct rebuild_rows *rows) {
     (void)rows;
-    return s->grains.law.history_components > 0;
+    return s->search.history != NULL;
 }
 
 /* A pass of the rebuild. `needed` with rows NULL tells whether the pass may ever run. */
@@ -361,7 +300,7 @@ static const struct rebuild_pass passes[] = {
     {"walls", "walls", "wall", with_walls, walls_pass},
     {"attach", NULL, "history", NULL, attach},
     {"physics", NULL, "pairs", NULL, tell_physics},
-    {"plan", "several ranks, ring order", "pairs", many_with_ring, plan_pass},
+    {"plan", "several ranks, ring order", "pairs", order_agrees, plan_pass},
 };
 enum { REBUILD_PASSES = sizeof passes / sizeof passes[0], REBUILD_CARRY = 5 };
 

@@ -12,9 +12,6 @@ void rebuild_run(struct simulation *simulation);
 /* Prints the passes of a rebuild, a line each. */
 void rebuild_print(const struct simulation *simulation, FILE *file);
 
-/* Makes the plan of the sweep, if none was made since the last rebuild. Called before a fused step and before one in ring order. */
-void rebuild_plan(struct simulation *simulation);
-
 /* As rebuild_run, but with rows from a checkpoint; becomes the owner of the rows. */
 void rebuild_from_rows(struct simulation *simulation, struct rebuild_rows *rows);
 

@@ -3,11 +3,16 @@
 #include "engine/rebuild_rows.h"
 #include "core/memory.h"
 
+void rebuild_detach_obstacles(struct simulation *s, struct rebuild_rows *rows) {
+    const struct physics_active *obstacles = s->physics.obstacles;
+    if (obstacles)
+        obstacles->row->obstacles->detach(&obstacles->context, &rows->walls);
+}
+
 void rebuild_detach(struct simulation *s, bool both_ends, struct rebuild_rows *rows) {
-    if (s->grains.history)
-        history_detach(s->grains.history, s->grains.list, s->particles, both_ends, &rows->pairs);
-    if (s->grains.walls && s->grains.law.history_components)
-        walls_detach(s->grains.walls, s->particles, &rows->walls);
+    if (s->search.history)
+        history_detach(s->search.history, s->search.list, s->particles, both_ends, &rows->pairs);
+    rebuild_detach_obstacles(s, rows);
 }
 
 void rebuild_carry(struct simulation *s, struct rebuild_rows *rows) {
@@ -27,7 +32,7 @@ void rebuild_part(struct simulation *s, struct rebuild_rows *rows) {
 }
 
 void rebuild_loosen(struct simulation *s, struct rebuild_rows *rows) {
-    history_loosen(s->grains.history, s->grains.list, s->particles, rows->place, &rows->loose, &rows->leave);
+    history_loosen(s->search.history, s->search.list, s->particles, rows->place, &rows->loose, &rows->leave);
 }
 
 /* After the migration: the rows of the arrivals join the loose rows, and the arrivals join the particles that
@@ -47,7 +52,7 @@ static void loose_settle(struct simulation *s, struct rebuild_rows *rows) {
 void rebuild_migrate(struct simulation *s, struct rebuild_rows *rows) {
     struct migrate_rows set[2 + PHYSICS_COUNT];
     int n = 0, pairs = -1, leave = -1, walls = -1, carried[PHYSICS_COUNT];
-    const size_t sent = history_row_bytes(s->grains.law.history_components);
+    const size_t sent = s->search.history ? history_row_bytes(s->search.history->components) : 0;
     if (rows->pairs.start) {
         pairs = n;
         set[n++] = (struct migrate_rows){
@@ -60,12 +65,8 @@ void rebuild_migrate(struct simulation *s, struct rebuild_rows *rows) {
     }
     if (rows->walls.start) {
         walls = n;
-        set[n++] = (struct migrate_rows){rows->walls.start,
-                                         rows->walls.row,
-                                         rows->walls.count,
-                                         sizeof *rows->walls.row,
-                                         wall_row_bytes(s->grains.law.history_components),
-                                         NULL};
+        set[n++] = (struct migrate_rows){rows->walls.start, rows->walls.row,  rows->walls.count,
+                                         rows->walls.bytes, rows->walls.sent, NULL};
     }
     for (int k = 0; k < PHYSICS_COUNT; k++) {
         const struct history_rows *own = rows->carried[k];
@@ -84,7 +85,11 @@ void rebuild_migrate(struct simulation *s, struct rebuild_rows *rows) {
     if (pairs >= 0)
         rows->pairs = (struct history_rows){set[pairs].start, set[pairs].row, set[pairs].count};
     if (walls >= 0)
-        rows->walls = (struct wall_rows){set[walls].start, set[walls].row, set[walls].count};
+        rows->walls = (struct rowset){.start = set[walls].start,
+                                      .row = set[walls].row,
+                                      .count = set[walls].count,
+                                      .bytes = set[walls].row_bytes,
+                                      .sent = set[walls].sent};
     if (leave >= 0) {
         rows->leave = (struct history_loose){set[leave].carrier, set[leave].row, set[leave].count};
         loose_settle(s, rows);
@@ -99,6 +104,6 @@ void rebuild_rows_free(struct rebuild_rows *rows) {
     memory_free(rows->near);
     memory_free(rows->place);
     memory_free(rows->order);
-    wall_rows_free(&rows->walls);
+    rowset_free(&rows->walls);
     *rows = (struct rebuild_rows){0};
 }

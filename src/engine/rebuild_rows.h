@@ -5,7 +5,6 @@
 
 #include "engine/state.h"
 #include "pairs/history_keep.h"
-#include "walls/wall.h"
 
 /* Contact history of pairs and walls during a rebuild, or on the way to a checkpoint. */
 struct rebuild_rows {
@@ -22,13 +21,16 @@ struct rebuild_rows {
     size_t near_count;
     uint32_t *order;          /* new particle k is old order[k]; NULL: all stay */
     struct history_kept kept; /* made between ghosts and search */
-    struct wall_rows walls;
+    struct rowset walls;      /* of the obstacles */
     /* Those of other physics, in the order of the table; NULL: none. The physics own them. */
     struct history_rows *carried[PHYSICS_COUNT];
     int components[PHYSICS_COUNT];
     bool again; /* another rebuild follows */
 };
+
+/* Makes the rows of contacts of pairs and with obstacles; of obstacles alone. */
 void rebuild_detach(struct simulation *simulation, bool both_ends, struct rebuild_rows *rows);
+void rebuild_detach_obstacles(struct simulation *simulation, struct rebuild_rows *rows);
 
 /* Asks all physics for their rows. */
 void rebuild_carry(struct simulation *simulation, struct rebuild_rows *rows);

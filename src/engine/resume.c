@@ -11,16 +11,16 @@
 #include "engine/resume.h"
 #include "engine/skin_auto.h"
 #include "core/memory.h"
-#include "integrate/groups.h"
+#include "particles/groups.h"
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-/* Numbers of a run that the simulation does not hold in the form that is written. Numbers of the ranks: the
- * work of walls and, if as many ranks resume, the state of a bisection's load (load.h). */
+/* Numbers of a run that the simulation does not hold in the form that is written. Numbers of the ranks, if as many ranks
+ * resume: the state of a bisection's load (load.h). */
 struct resume_numbers {
     double fraction; /* fraction of the stable step; 0: the scene gives the step */
-    double wall_work, load_fresh, load_reached;
+    double load_fresh, load_reached;
 };
 
 /* Lists the numbers that a resume needs, with their names. */
@@ -40,7 +40,6 @@ static void numbers_list(struct simulation *s, struct resume_numbers *own, struc
     physics_restart(&s->physics, restart);
     deform_restart(s, restart);
     skin_auto_restart(s, restart);
-    restart_add(restart, RESTART_SUM, false, &own->wall_work, "work of walls");
     restart_add(restart, RESTART_SUM, false, &own->load_fresh, "load: imbalance not measured");
     restart_add(restart, RESTART_SUM, false, &own->load_reached, "load: imbalance reached");
     for (int k = 0; k < s->scene->insertions; k++) {
@@ -59,7 +58,6 @@ static void numbers_put(struct simulation *s, struct checkpoint_numbers *n, stru
                                      .next_id = s->sources.next_id};
     domain_grid(s->ranks.domain, n->grid);
     *own = (struct resume_numbers){.fraction = s->clock.dt_fraction,
-                                   .wall_work = s->grains.walls ? walls_work(s->grains.walls) : 0,
                                    .load_fresh = s->ranks.load.fresh,
                                    .load_reached = s->ranks.load.reached};
 }
@@ -75,8 +73,6 @@ static bool numbers_take(struct simulation *s, const char *path, const struct ch
     s->clock.time = n->time;
     s->sources.next_id = n->next_id;
     memcpy(s->resumed.grid, n->grid, sizeof s->resumed.grid);
-    if (s->grains.walls)
-        walls_set_work(s->grains.walls, own->wall_work);
     s->resumed.dt = n->dt;
     s->resumed.fraction = own->fraction;
     return good;
@@ -97,15 +93,9 @@ static void rows_sort(struct history_rows *rows, size_t owned) {
               row_compare);
 }
 
-/* Gives all forces on walls to the first rank, as a resume does, so that the continued run has the same
- * sums. */
-static void wall_forces_gather(struct simulation *s) {
-    double force[WALLS_MAX][6];
-    walls_forces(s->grains.walls, force);
-    comm_sum(s->comm, force[0], 6 * walls_count(s->grains.walls));
-    if (s->comm->rank > 0)
-        memset(force, 0, sizeof force);
-    walls_set_forces(s->grains.walls, force);
+/* Doubles of a record of the memory of contacts. */
+static int components_of(const struct simulation *s) {
+    return s->search.history ? s->search.history->components : 0;
 }
 
 bool resume_write(struct simulation *s, const struct output_run *run, const char *suffix,
@@ -114,32 +104,27 @@ bool resume_write(struct simulation *s, const struct output_run *run, const char
     rebuild_detach(s, true, &rows); /* the reader may divide the particles differently */
     rebuild_carry(s, &rows);
     rows_sort(&rows.pairs, s->particles->owned);
-    if (s->grains.walls && !s->ranks.alone)
-        wall_forces_gather(s);
     struct resume_numbers own;
     struct restart restart = {0};
     const char *group[INTEGRATOR_GROUPS_MAX];
     for (int k = 0; k < s->scene->groups; k++)
         group[k] = s->scene->group[k].name;
-    char law[LAW_TITLE_MAX];
-    law_title(&s->grains.law.options, law);
     struct checkpoint checkpoint = {.restart = &restart,
+                                    .history_components = components_of(s),
                                     .particles = s->particles,
                                     .box = &s->box,
                                     .tree = domain_tree(s->ranks.domain),
-                                    .history_components = s->grains.law.history_components,
                                     .history = rows.pairs.start ? &rows.pairs : NULL,
-                                    .wall_history = rows.walls.start ? &rows.walls : NULL,
                                     .carried = rows.carried,
                                     .components = rows.components,
-                                    .walls = s->grains.walls,
-                                    .law = law,
                                     .materials = s->scene->materials,
                                     .groups = s->scene->groups,
                                     .material = s->scene->material,
                                     .group = group,
                                     .scene = run->scene,
                                     .lineage = &s->lineage};
+    PHYSICS_EACH (active, &s->physics, record)
+        active->row->record->save(&active->context, &rows.walls, &checkpoint);
     numbers_put(s, &checkpoint.numbers, &own);
     numbers_list(s, &own, &restart);
     bool good = checkpoint_write(s->comm, run->directory, suffix, &checkpoint,
@@ -147,24 +132,6 @@ bool resume_write(struct simulation *s, const struct output_run *run, const char
     restart_free(&restart);
     rebuild_rows_free(&rows);
     return good;
-}
-
-static void walls_restore(struct simulation *s, const struct checkpoint_loaded *loaded) {
-    for (int k = 0; k < loaded->walls; k++) {
-        int wall = scene_wall(s->scene, loaded->wall[k].name);
-        if (wall >= 0 && s->grains.walls)
-            walls_set_pose(s->grains.walls, wall, &loaded->wall[k].pose);
-    }
-}
-
-/* Finds walls by their names: the scene may have other walls, or the same walls in another order. */
-static void wall_rows_rename(const struct simulation *s, const struct checkpoint_loaded *loaded) {
-    const struct wall_rows *rows = &loaded->wall_history;
-    for (size_t k = 0; k < rows->count; k++) {
-        int wall = rows->row[k].wall;
-        bool known = wall >= 0 && wall < loaded->walls;
-        rows->row[k].wall = known ? scene_wall(s->scene, loaded->wall[wall].name) : -1;
-    }
 }
 
 /* Gives the physics their rows; a scene without the physics does without. */
@@ -194,8 +161,6 @@ static bool take(struct simulation *s, const char *path, struct checkpoint_loade
         return false;
     deform_resume(s, deform_moved(&loaded->restart));
     s->total = loaded->total;
-    walls_restore(s, loaded);
-    wall_rows_rename(s, loaded);
     resume_apply(s, loaded);
     s->lineage = loaded->lineage;
     loaded->lineage = (struct lineage){0};
@@ -203,14 +168,12 @@ static bool take(struct simulation *s, const char *path, struct checkpoint_loade
         load_restore(s, loaded->tree, own.load_fresh != 0, own.load_reached);
         loaded->tree = NULL;
     }
-    if (s->grains.history) {
+    if (s->search.history) {
         rows->pairs = loaded->history;
         loaded->history = (struct history_rows){0};
     }
-    if (s->grains.walls && s->grains.law.history_components) {
-        rows->walls = loaded->wall_history;
-        loaded->wall_history = (struct wall_rows){0};
-    }
+    PHYSICS_EACH (active, &s->physics, record)
+        active->row->record->resume(&active->context, loaded, &rows->walls);
     return carried_take(s, path, loaded, error);
 }
 

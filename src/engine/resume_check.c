@@ -2,11 +2,12 @@
 /* The changes of a scene that are allowed between a checkpoint and a resume. */
 #include "engine/resume_check.h"
 #include "engine/deform.h"
-#include "contact/material.h"
+#include "particles/material.h"
 #include "core/memory.h"
-#include "integrate/groups.h"
+#include "particles/groups.h"
 #include "particles/kinds.h"
 #include "scene/scene_read.h"
+#include "scene/schema.h"
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
@@ -36,21 +37,17 @@ static bool check_box(const struct simulation *s, const char *path, const struct
     return true;
 }
 
-static bool check_law(const struct simulation *s, const char *path, const struct checkpoint_loaded *loaded,
-                      struct error *error) {
-    char law[LAW_TITLE_MAX];
-    law_title(&s->grains.law.options, law);
-    if (strcmp(loaded->law, law) != 0)
-        return error_set(error, ERROR_USER,
-                         "%s: it was written with contact.law %s, the scene has %s: "
-                         "contact.law must stay",
-                         path, loaded->law, law);
-    if (loaded->history_components != s->grains.law.history_components)
-        return error_set(error, ERROR_USER,
-                         "%s: its contacts have a history of %d numbers, the scene's law has %d: "
-                         "contact.law, friction and rolling must stay",
-                         path, loaded->history_components, s->grains.law.history_components);
-    return true;
+static bool check_physics(const struct simulation *s, const char *path,
+                          const struct checkpoint_loaded *loaded, struct error *error) {
+    const int components = s->search.history ? s->search.history->components : 0;
+    PHYSICS_EACH (active, &s->physics, record)
+        if (!active->row->record->fits(&active->context, path, loaded, error))
+            return false;
+    return loaded->history_components == components ||
+           error_set(error, ERROR_USER,
+                     "%s: its contacts have a history of %d numbers, the scene's law has %d: "
+                     "contact.law, friction and rolling must stay",
+                     path, loaded->history_components, components);
 }
 
 static int group_find(const struct scene *scene, const char *name) {
@@ -82,22 +79,27 @@ static bool check_names(const struct simulation *s, const char *path, const stru
 /* Lists the keys that differ; refuses changes of some keys. */
 static bool check_scene(struct simulation *s, const char *path, const struct checkpoint_loaded *loaded,
                         struct error *error) {
+    static const struct {
+        const char *key, *fallback;
+    } fixed[] = {{"units", "si"}, {"box.density", "volume"}};
     char *now = scene_echo(s->scene);
     bool good = scene_compare(path, loaded->scene, now, &s->resumed.changes, error);
     memory_free(now);
     for (size_t k = 0; good && k < s->resumed.changes.count; k++) {
         const struct scene_change *change = &s->resumed.changes.change[k];
-        if (strcmp(change->key, "units") == 0)
-            return error_set(error, ERROR_USER,
-                             "%s: it was written with units: %s, the scene has %s: units must stay", path,
-                             change->then ? change->then : "si", change->now ? change->now : "si");
+        for (size_t f = 0; f < sizeof fixed / sizeof fixed[0]; f++)
+            if (strcmp(change->key, fixed[f].key) == 0)
+                return error_set(error, ERROR_USER,
+                                 "%s: it was written with %s: %s, the scene has %s: %s must stay", path,
+                                 change->key, change->then ? change->then : fixed[f].fallback,
+                                 change->now ? change->now : fixed[f].fallback, change->key);
     }
     return good;
 }
 
 bool resume_check(struct simulation *s, const char *path, const struct checkpoint_loaded *loaded,
                   struct error *error) {
-    return check_box(s, path, loaded, error) && check_law(s, path, loaded, error) &&
+    return check_box(s, path, loaded, error) && check_physics(s, path, loaded, error) &&
            check_names(s, path, loaded, error) && check_scene(s, path, loaded, error);
 }
 
@@ -116,11 +118,13 @@ static double density_of(const struct particles *p, const double *density, size_
                    : 1 / (p->state[i].inverse_mass * particles_sphere_mass(p->state[i].radius, 1));
 }
 
-/* Changes the mass of a particle of material `then`, whose density has changed to `density`. */
-static bool change_mass(struct particles *p, size_t i, const struct checkpoint_kind *then, double density) {
-    double *kept = groups_densities(p);
-    if (density == then->density ||
-        !(fabs(density_of(p, kept, i) - then->density) <= same_density * then->density))
+/* Changes the mass of a particle of material `then`, whose density has changed to `now`. */
+static bool change_mass(struct simulation *s, size_t i, const struct checkpoint_kind *then, double now) {
+    struct particles *p = s->particles;
+    double *kept = groups_densities(p),
+           before = particles_density(&s->box, p->state[i].radius, then->density),
+           density = particles_density(&s->box, p->state[i].radius, now);
+    if (now == then->density || !(fabs(density_of(p, kept, i) - before) <= same_density * before))
         return false;
     if (kept)
         kept[i] = density;
@@ -142,7 +146,7 @@ static void apply_materials(struct simulation *s, const struct checkpoint_loaded
         if (kind && kind[i] != KIND_GRAIN)
             continue;
         int then = written ? material[i] : first;
-        changed += change_mass(p, i, &loaded->material[then], s->scene->material[place[then]].density);
+        changed += change_mass(s, i, &loaded->material[then], s->scene->material[place[then]].density);
         if (material)
             material[i] = (uint8_t)place[then];
     }
@@ -166,7 +170,7 @@ static void apply_groups(struct simulation *s, const struct checkpoint_loaded *l
         if (kind && kind[i] != KIND_GRAIN)
             continue;
         group[i] = (uint8_t)place[written ? group[i] : first];
-        if (s->grains.motion.motion[group[i]].prescribed)
+        if (s->scene->group[group[i]].motion != SCENE_FREE)
             state->inverse_mass = 0;
         else if (state->inverse_mass == 0)
             state->inverse_mass = 1 / particles_sphere_mass(state->radius, density[i]);
@@ -178,6 +182,14 @@ void resume_apply(struct simulation *s, const struct checkpoint_loaded *loaded) 
     apply_groups(s, loaded);
 }
 
+/* True if a key came or went, with its default, only because another key has changed, with which it exists. */
+static bool follows(const struct scene_change *change) {
+    char full[SCHEMA_KEY_MAX];
+    const struct schema_row *row = change->then && change->now ? NULL : schema_find(change->key, full);
+    return row && row->when && row->fallback &&
+           strcmp(change->then ? change->then : change->now, row->fallback) == 0;
+}
+
 void resume_print(const struct simulation *s, const char *path, FILE *out) {
     static const char sources[] = "particles.";
     const struct scene_changes *changes = &s->resumed.changes;
@@ -186,9 +198,11 @@ void resume_print(const struct simulation *s, const char *path, FILE *out) {
     fprintf(out, "%s, step %llu: the scene has changed since:\n", path, (unsigned long long)s->clock.step);
     for (size_t k = 0; k < changes->count; k++) {
         const struct scene_change *change = &changes->change[k];
+        if (follows(change))
+            continue;
         bool idle = strncmp(change->key, sources, strlen(sources)) == 0;
-        fprintf(out, "  %s: %s -> %s%s\n", change->key, change->then ? change->then : "(none)",
-                change->now ? change->now : "(none)",
+        fprintf(out, "  %s: %s -> %s%s\n", change->key, change->then ? change->then : "(not set)",
+                change->now ? change->now : "(not set)",
                 idle ? " (no effect: particles come from the checkpoint)" : "");
     }
     if (s->resumed.masses > 0)

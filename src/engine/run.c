@@ -208,12 +208,16 @@ static void stopped_checkpoint(struct run *run, const struct error *why) {
         fprintf(stderr, "scree: the state at the stop could not be written: %s\n", second.text);
 }
 
-/* Deletes files of an earlier run that could be mistaken for files of this run. */
+/* Deletes files of an earlier run that could be mistaken for files of this run. A run that goes on first looks
+ * whether it can go on with the files in its folder. */
 static bool folder_prepare(const struct run *run, struct error *error) {
     const struct comm *comm = run->s->comm;
     const char *directory = run->options->directory;
-    return run->options->resume ? folder_rewind(comm, directory, run->s->clock.step, error)
-                                : folder_clear(comm, directory, error);
+    if (run->options->resume == NULL)
+        return folder_clear(comm, directory, error);
+    return folder_suits(comm, directory, run->output.lineage, error) &&
+           outputs_go_on(run->outputs, comm, error) &&
+           folder_rewind(comm, directory, run->s->clock.step, error);
 }
 
 static bool run_open(struct run *run, struct error *error) {
@@ -226,7 +230,7 @@ static bool run_open(struct run *run, struct error *error) {
         return false;
     if (!outputs_open(run->outputs, s, run->options->resume != NULL, error))
         return false;
-    s->grains.sums_each_step = s->grains.sums_each_step || outputs_sum_each_step(run->outputs);
+    s->sums_each_step = s->sums_each_step || outputs_sum_each_step(run->outputs);
     if (run->options->resume != NULL)
         return true;
     physics_look(&s->physics);
@@ -264,11 +268,16 @@ static void run_loop(struct run *run, struct error *error) {
         stopped_checkpoint(run, error);
 }
 
-/* Prints the notes that `scree check` prints for the scene. */
-static void notes_tell(const struct simulation *s) {
+/* Prints the notes that `scree check` prints for the scene, or at the end of a run what it has seen. */
+static void notes_tell(const struct run *run, bool seen) {
+    if (run->options->quiet)
+        return;
     struct notes *notes = memory_allocate_zero(1, sizeof *notes, "notes");
-    notes_take(s, notes);
-    if (s->comm->rank == 0)
+    if (seen)
+        notes_seen(run->s, run->record.first, notes);
+    else
+        notes_take(run->s, notes);
+    if (run->s->comm->rank == 0)
         notes_print(notes, "scree: ", stderr);
     memory_free(notes);
 }
@@ -348,8 +357,7 @@ int run_one(const struct comm *comm, const struct scene *scene, const struct run
     run_signals_catch();
     if (run_stages_open(&run.stages, run.s, &run.output, error) && run_open(&run, error) &&
         watch_begin(&run, error)) {
-        if (!options->quiet)
-            notes_tell(run.s);
+        notes_tell(&run, false);
         run.record.setup = timer_now() - start;
         run_loop(&run, error);
         tables_end(&run, error);
@@ -360,6 +368,7 @@ int run_one(const struct comm *comm, const struct scene *scene, const struct run
             *report = own;
         else
             report_destroy(&own);
+        notes_tell(&run, true);
     }
     comm_agree(comm, error);
     outputs_close(&run.outputs, comm, error);

@@ -4,6 +4,7 @@
 #include "engine/tune.h"
 #include "engine/sources.h"
 #include "engine/load.h"
+#include "engine/view.h"
 #include "core/memory.h"
 #include <math.h>
 #include <stdio.h>
@@ -87,11 +88,9 @@ static void report_classes(const struct simulation *s, const struct ghosts_count
                                                       .bytes = (uint64_t)sums[CLASS_MAX + c]};
 }
 
-_Static_assert((int)REPORT_INSERTIONS_MAX >= (int)INSERTIONS_MAX,
-               "a report has room for all insertion regions");
-
 static void report_insertions(const struct simulation *s, struct report *report) {
     report->insertions = s->scene->insertions;
+    report->insertion = memory_allocate_zero((size_t)report->insertions, sizeof *report->insertion, "report");
     for (int k = 0; k < report->insertions; k++) {
         const char *name = s->scene->insertion[k].name;
         struct report_insertion *row = &report->insertion[k];
@@ -101,6 +100,7 @@ static void report_insertions(const struct simulation *s, struct report *report)
             snprintf(row->name, sizeof row->name, "insertions[%d]", k);
         row->asked = sources_asked(s, k);
         row->placed = s->sources.state[k].placed;
+        row->lost = s->sources.lost[k];
     }
 }
 
@@ -110,11 +110,19 @@ static void report_rebuilds(const struct simulation *s, struct report *report) {
     report->sorts = s->search.sorted > 0 ? s->search.sorted - 1 : 0;
 }
 
+static void report_physics(const struct simulation *s, struct report *report) {
+    report->solvers = 0;
+    PHYSICS_EACH (active, &s->physics, shown) {
+        if (active->row->shown->report)
+            active->row->shown->report(&active->context, report);
+    }
+}
+
 void run_report_fill(const struct simulation *s, const struct run_record *run, struct report *report) {
     struct ghosts_counts ghosts;
     ghosts_count(s->ranks.ghosts, &ghosts);
-    int64_t sums[6] = {pairlist_sides(s->grains.list),
-                       (int64_t)s->grains.sums.contact_sides,
+    int64_t sums[6] = {pairlist_sides(s->search.list),
+                       simulation_contact_sides(s),
                        (int64_t)memory_peak(),
                        (int64_t)memory_in_use(),
                        (int64_t)(ghosts.rebuild_messages - run->before.rebuild_messages),
@@ -131,10 +139,8 @@ void run_report_fill(const struct simulation *s, const struct run_record *run, s
     report->threads_working = team_mean(&s->team);
     report->newton = s->scene->ghosts.newton;
     report->reduced = s->scene->ghosts.reduced;
-    snprintf(report->simd, sizeof report->simd, "%s", force_loop_kernel(s->grains.loop));
     report->reproducible = s->scene->reproducible;
     snprintf(report->index, sizeof report->index, "%s", s->scene->index.name);
-    snprintf(report->law, sizeof report->law, "%s", law_row_get(s->grains.law.options.normal)->name);
     snprintf(report->integrator, sizeof report->integrator, "%s", s->scene->integrator);
     report_levels(s, report);
     report_rebuilds(s, report);
@@ -159,7 +165,7 @@ void run_report_fill(const struct simulation *s, const struct run_record *run, s
     report->dimensionless = s->scene->units == SCENE_UNITS_NONE;
     if (run->stopped)
         snprintf(report->stopped, sizeof report->stopped, "signal %d", run->stopped);
-    physics_solvers(&s->physics, report);
+    report_physics(s, report);
     struct report_mine mine = {.timers = &s->timers,
                                .timers_setup = &run->start,
                                .ghosts = ghosts.ghosts,

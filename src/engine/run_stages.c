@@ -38,7 +38,7 @@ bool run_stages_open(struct run_stages *stages, struct simulation *s, const stru
     for (int k = 0; k < stages->stage->conditions; k++) {
         if (!condition_open(stages, s, run, k, error))
             return false;
-        s->grains.sums_each_step = s->grains.sums_each_step || observables_need_work(stages->condition[k]);
+        s->sums_each_step = s->sums_each_step || observables_need_work(stages->condition[k]);
     }
     return true;
 }

@@ -12,13 +12,11 @@
 #include "engine/stages.h"
 #include "engine/rebuild.h"
 #include "engine/step.h"
-#include "engine/grains.h"
 #include "engine/guards.h"
 #include "engine/load.h"
-#include "contact/law_user.h"
+#include "engine/view.h"
 #include "core/memory.h"
 #include "scene/scene_read.h"
-#include "integrate/integrator.h"
 #include "particles/kinds.h"
 
 static bool mine(void *context, const double x[3]) {
@@ -27,8 +25,7 @@ static bool mine(void *context, const double x[3]) {
 }
 
 static bool taken(void *context, const double x[3], double radius) {
-    const struct simulation *s = context;
-    return s->grains.walls && walls_overlap(s->grains.walls, x, radius);
+    return simulation_occupied(context, x, radius);
 }
 
 /* Adds particles of other kinds than grains. */
@@ -67,21 +64,15 @@ static bool particles_make(struct simulation *s, struct error *error) {
 
 /* The start of a run that is not resumed: first rebuild, first forces, velocities half a step back. */
 static bool run_begin(struct simulation *s, struct error *error) {
+    const struct physics_active *mover = s->physics.mover;
     struct rebuild_rows rows = {0};
     rebuild_from_rows(s, &rows);
     if (!timing_contacts(s, error))
         return false;
-    s->grains.contact.want_sums = s->grains.contact.want_virial = true;
+    s->evaluation.sums = s->evaluation.virial = true;
     step_forces(s);
-    s->grains.taken = 0;
-    s->timing.overlap_started = s->grains.sums.overlap_max;
-    comm_max(s->comm, &s->timing.overlap_started, 1);
-#pragma omp parallel for schedule(static)
-    for (int b = 0; b < s->grains.list->block_count; b++) {
-        const struct pair_block *block = &s->grains.list->blocks[b];
-        if (s->classes.kind[block->size_class] == KIND_GRAIN)
-            integrator_stagger(s->particles, &s->grains.motion, block->first_row, block->last_row);
-    }
+    if (mover->row->mover->begin)
+        mover->row->mover->begin(&mover->context);
     return true;
 }
 
@@ -102,7 +93,8 @@ static bool particles_suit(struct simulation *s, struct error *error) {
     interactions_divide(&s->search.interactions, &s->classes,
                         &(struct pairlist_options){.threads = s->threads});
     physics_lists(&s->physics, &s->search.interactions);
-    s->grains.list = s->grains.contact.list = interaction_list(&s->search.interactions, 0);
+    s->search.list = interaction_list(&s->search.interactions, 0);
+    physics_prepare(&s->physics);
     step_plan(s);
     deform_begin(s);
     load_lay(s, s->resumed.grid);
@@ -110,40 +102,12 @@ static bool particles_suit(struct simulation *s, struct error *error) {
     return comm_agree(s->comm, error); /* each rank looks at its own particles */
 }
 
-/* Starts the physics that the scene asks for, with grains first. */
-static void physics_start(struct simulation *s) {
-    struct physics_context context = {.options = &s->grains.law,
-                                      .scene = s->scene,
-                                      .box = &s->box,
-                                      .comm = s->comm,
-                                      .log = &s->caller.log,
-                                      .ghosts = NULL,
-                                      .particles = s->particles,
-                                      .classes = &s->classes,
-                                      .walls = s->grains.walls,
-                                      .contact = &s->grains.contact,
-                                      .motion = &s->grains.motion,
-                                      .clock = &s->clock,
-                                      .timers = &s->timers,
-                                      .threads = s->threads,
-                                      .speed = s->grains.speed,
-                                      .ordered = s->scene->reproducible,
-                                      .sums = &s->grains.sums,
-                                      .taken = &s->grains.taken,
-                                      .speed_expected = &s->timing.speed_expected};
-    physics_begin(&s->physics, &grains_physics, &context, &s->search.interactions);
-}
-
 static bool simulation_fill(struct simulation *s, const char *resume, struct error *error) {
-    s->particles = particles_create(0);
-    scene_register(s->scene, &s->grains.law, s->particles);
-    physics_start(s);
+    const struct physics_active *mover = s->physics.mover;
     simulation_parts_create(s);
     deform_prepare(s);
-    if (physics_create(&s->physics, s, error))
-        simulation_parts_simd(s, error);
-    s->grains.contact.joined = physics_joins(&s->physics) ? physics_joined : NULL;
-    s->grains.contact.joined_context = &s->physics;
+    if (physics_create(&s->physics, error) && mover->row->mover->history)
+        s->search.history = mover->row->mover->history(&mover->context);
     if (!comm_agree(s->comm, error)) /* ranks may have different CPUs */
         return false;
     struct rebuild_rows rows = {0};
@@ -196,13 +160,10 @@ void simulation_destroy(struct simulation **simulation) {
     if (s == NULL)
         return;
     team_end(&s->team);
-    force_loop_destroy(&s->grains.loop);
     deform_free(s);
-    walls_destroy(&s->grains.walls);
     sweep_destroy(&s->search.sweep);
-    ring_destroy(&s->search.ring);
+    ring_destroy(&s->order.ring);
     skin_destroy(&s->search.skin);
-    history_destroy(&s->grains.history);
     physics_free(&s->physics);
     interactions_free(&s->search.interactions);
     index_destroy(&s->search.index);
@@ -212,8 +173,7 @@ void simulation_destroy(struct simulation **simulation) {
     sources_free(s);
     scene_changes_free(&s->resumed.changes);
     lineage_free(&s->lineage);
-    memory_free(s->grains.speed);
-    law_user_free(&s->grains.user);
+    memory_free(s->search.speed);
     memory_free(s);
     *simulation = NULL;
 }

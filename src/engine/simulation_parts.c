@@ -6,12 +6,8 @@
 #include "engine/view.h"
 #include "comm/balance.h"
 #include "comm/cores.h"
-#include "contact/law_user.h"
 #include "core/memory.h"
 #include "core/threads.h"
-#include "pairs/walk.h"
-#include "integrate/integrator.h"
-#include <assert.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -36,74 +32,30 @@ static bool set_threads(struct simulation *s, struct error *error) {
     return s->threads > 0;
 }
 
-/* The widest instruction set that all ranks have, or the one that the scene names. */
-static const char *common_level(const struct simulation *s) {
-    int64_t below = -walk_level(NULL);
-    if (s->scene->simd != SCENE_SIMD_AUTO)
-        return scene_simd_name(s->scene->simd);
-    comm_max_int(s->comm, &below, 1);
-    return walk_level_name((int)-below);
-}
-
-/* Loads the law of a file: rank 0 compiles it, all ranks load the same bytes. */
-static bool load_law(struct simulation *s, struct law_options *options, struct error *error) {
-    struct law_object object = {0};
-    struct error plain = {0};
-    char place[SCENE_PATH_MAX];
-    if (!law_has_trait(options->normal, "file"))
-        return true;
-    const char *level = common_level(s);
-    if (s->comm->rank == 0)
-        law_user_compile(options->file, level, &object, &plain);
-    if (comm_agree(s->comm, &plain)) {
-        char *own = object.bytes;
-        comm_broadcast(s->comm, &object, sizeof object);
-        object.bytes = own ? own : memory_allocate(object.size, 1, "law");
-        comm_broadcast(s->comm, object.bytes, object.size);
-        s->grains.user = law_user_load(options->file, &object, &plain);
-        comm_agree(s->comm, &plain);
-    }
-    law_object_free(&object);
-    options->user = s->grains.user;
-    return plain.kind == ERROR_NONE ||
-           error_set(error, plain.kind, "%s: contact.law: %s",
-                     scene_place(s->scene, "contact.law_file", place, sizeof place), plain.text);
-}
-
-/* Makes the walls, and tells of repaired meshes. */
-static bool make_walls(struct simulation *s, struct error *error) {
-    char *said = NULL;
-    size_t length = 0;
-    FILE *notes = s->comm->rank == 0 ? open_memstream(&said, &length) : NULL;
-    bool good = walls_create(&s->grains.walls, s->scene->wall, s->scene->walls, &s->grains.law, &s->box,
-                             s->threads, error, notes);
-    if (notes) {
-        fclose(notes);
-        log_text(&s->caller.log, said);
-        free(said);
-    }
-    return good;
+/* Starts the physics that the scene asks for, with those that are always there first. */
+static bool physics_start(struct simulation *s, struct error *error) {
+    struct physics_context context = {.scene = s->scene,
+                                      .box = &s->box,
+                                      .comm = s->comm,
+                                      .log = &s->caller.log,
+                                      .particles = s->particles,
+                                      .classes = &s->classes,
+                                      .clock = &s->clock,
+                                      .evaluation = &s->evaluation,
+                                      .timers = &s->timers,
+                                      .threads = s->threads,
+                                      .ordered = s->scene->reproducible};
+    s->search.speed = memory_allocate_zero((size_t)s->threads, sizeof *s->search.speed, "speeds");
+    s->physics.speed = s->search.speed;
+    interactions_create(&s->search.interactions, &(struct pairlist_options){.threads = s->threads});
+    return physics_begin(&s->physics, &context, &s->search.interactions, error);
 }
 
 bool simulation_parts_prepare(struct simulation *s, struct error *error) {
     const struct scene *scene = s->scene;
-    struct law_pair pair[LAW_MATERIALS_MAX][LAW_MATERIALS_MAX];
-    const struct integrator *integrator = integrator_find(scene->integrator);
-    struct law_options options = scene->law;
-    assert(integrator);
-    options.synchronised = integrator->synchronised;
-    memcpy(pair, scene->law_pair, sizeof pair);
-    if (!load_law(s, &options, error) ||
-        !law_prepare(&s->grains.law, &options, scene->materials, scene->material, pair, error))
+    s->particles = particles_create(0);
+    if (!set_threads(s, error) || !physics_start(s, error))
         return false;
-    scene_integrator(scene, &s->grains.motion);
-    if (!set_threads(s, error))
-        return false;
-    s->grains.speed = memory_allocate_zero((size_t)s->threads, sizeof *s->grains.speed, "speeds");
-    if (scene->walls > 0 && !make_walls(s, error))
-        return false;
-    if (s->grains.walls && scene->reproducible)
-        walls_set_exact(s->grains.walls);
     if (scene->domain.kind == DOMAIN_BISECTION && !domain_possible(s, error))
         return false;
     s->ranks.domain = domain_create(s->comm, &s->box, &scene->domain, error);
@@ -118,32 +70,8 @@ bool simulation_parts_prepare(struct simulation *s, struct error *error) {
 
 void simulation_parts_create(struct simulation *s) {
     s->ranks.ghosts = ghosts_create(s->comm, s->ranks.domain, &s->box, &s->scene->ghosts);
-    interactions_create(&s->search.interactions, &(struct pairlist_options){.threads = s->threads});
-    s->grains.history = s->grains.law.history_components
-                            ? history_create(s->grains.law.history_components, s->threads)
-                            : NULL;
-    if (s->grains.history)
-        s->grains.history->odd = s->grains.law.history_odd;
     s->search.skin = skin_create();
     s->search.sweep = s->scene->step.fused ? sweep_create(s->threads) : NULL;
-    s->grains.loop = force_loop_create(s->threads);
-    s->grains.contact = (struct force_context){.particles = s->particles,
-                                               .history = s->grains.history,
-                                               .law = &s->grains.law,
-                                               .prescribed = s->scene->groups > 1,
-                                               .ordered = s->scene->reproducible};
-}
-
-bool simulation_parts_simd(const struct simulation *s, struct error *error) {
-    char place[SCENE_PATH_MAX];
-    const char *wanted = scene_simd_name(s->scene->simd);
-    if (s->scene->simd == SCENE_SIMD_AUTO ||
-        (force_loop_choose(s->grains.loop, wanted) &&
-         (s->grains.walls == NULL || walls_choose(s->grains.walls, wanted))))
-        return true;
-    return error_set(
-        error, ERROR_USER, "%s: simd: %s is not what this program and CPU have; the widest is %s",
-        scene_place(s->scene, "simd", place, sizeof place), wanted, force_loop_kernel(s->grains.loop));
 }
 
 void simulation_parts_placed(void *context, const char *what, double part) {

@@ -5,14 +5,11 @@
 
 #include "engine/state.h"
 
-/* Prepares law, walls, motion, domain and index. False with an error, which may differ between ranks. */
+/* Prepares threads, physics, domain and index. False with an error, which may differ between ranks. */
 bool simulation_parts_prepare(struct simulation *simulation, struct error *error);
 
 /* Makes all parts that do not depend on the number of particles. */
 void simulation_parts_create(struct simulation *simulation);
-
-/* Takes the vector instructions that the scene asks for; a user's error where the CPU lacks them. */
-bool simulation_parts_simd(const struct simulation *simulation, struct error *error);
 
 /* Prints the progress of a long placement (`part` of it is done): a line of rank 0 every five seconds, if progress is
  * shown. `context` is the simulation. */

@@ -2,6 +2,7 @@
 /* Counts pairs, contacts and displacements for the choice of the skin. Read skin_auto.h first. */
 #include "engine/skin_auto.h"
 #include "engine/decide.h"
+#include "engine/view.h"
 #include <math.h>
 
 /* After so many steps without a rebuild, and at each power of two of steps after, a run looks whether a shorter
@@ -65,8 +66,7 @@ double skin_auto_most(const struct simulation *s) {
 
 static struct skin_counts counts_take(struct simulation *s, const struct skin_choice *choice) {
     bool known = s->search.skin->moves > 1; /* else a run that resumes has no contacts yet */
-    int64_t sides[2] = {pairlist_sides(s->search.interactions.all),
-                        known ? (int64_t)s->grains.sums.contact_sides : 0};
+    int64_t sides[2] = {pairlist_sides(s->search.interactions.all), known ? simulation_contact_sides(s) : 0};
     comm_sum_int(s->comm, sides, 2);
     return (struct skin_counts){.particles = (double)s->total,
                                 .pairs = (double)sides[0] / 2,

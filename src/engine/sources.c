@@ -5,10 +5,11 @@
 #include "engine/sources.h"
 #include "engine/crossings.h"
 #include "engine/rebuild_rows.h"
-#include "contact/material.h"
-#include "contact/spin.h"
+#include "engine/view.h"
+#include "particles/material.h"
+#include "particles/spin.h"
 #include "core/memory.h"
-#include "integrate/groups.h"
+#include "particles/groups.h"
 #include "particles/kinds.h"
 #include "scene/placegrid.h"
 #include <assert.h>
@@ -37,6 +38,10 @@ static bool insertion_fits(const struct simulation *s, int k, struct error *erro
 
 bool sources_prepare(struct simulation *s, struct error *error) {
     const struct scene *scene = s->scene;
+    size_t count = (size_t)scene->insertions;
+    s->sources.insertion = memory_allocate_zero(count, sizeof *s->sources.insertion, "insertions");
+    s->sources.state = memory_allocate_zero(count, sizeof *s->sources.state, "insertions");
+    s->sources.lost = memory_allocate_zero(count, sizeof *s->sources.lost, "insertions");
     for (int k = 0; k < scene->insertions; k++) {
         const struct insertion_options *options = &scene->insertion[k];
         double density = options->density;
@@ -104,6 +109,9 @@ void sources_take(struct simulation *s, int64_t id) {
 void sources_free(struct simulation *s) {
     memory_free(s->sources.given.add);
     memory_free(s->sources.given.take);
+    memory_free(s->sources.insertion);
+    memory_free(s->sources.state);
+    memory_free(s->sources.lost);
 }
 
 static int ids_compare(const void *a, const void *b) {
@@ -188,8 +196,7 @@ static size_t remove_run(struct simulation *s, struct rebuild_rows *rows) {
     if (marked > 0) {
         if (rows->pairs.start)
             history_rows_remove(&rows->pairs, remove, owned);
-        if (rows->walls.start)
-            wall_rows_remove(&rows->walls, remove, owned);
+        rowset_remove(&rows->walls, remove, owned);
         for (int k = 0; k < PHYSICS_COUNT; k++)
             if (rows->carried[k])
                 history_rows_remove(rows->carried[k], remove, owned);
@@ -228,9 +235,8 @@ static void candidates_block(const struct simulation *s, const struct placegrid 
 #pragma omp parallel for schedule(dynamic, 4)
     for (size_t k = 0; k < n; k++)
         if (!candidate[k].settled && !blocked[k])
-            blocked[k] =
-                (s->grains.walls && walls_overlap(s->grains.walls, candidate[k].x, candidate[k].radius)) ||
-                placegrid_touches(grid, candidate[k].x, candidate[k].radius);
+            blocked[k] = simulation_occupied(s, candidate[k].x, candidate[k].radius) ||
+                         placegrid_touches(grid, candidate[k].x, candidate[k].radius);
     if (s->ranks.alone)
         return;
     int64_t *all = memory_allocate(n, sizeof *all, "blocked places");
@@ -250,13 +256,14 @@ static void candidate_append(struct simulation *s, const struct insertion_candid
     struct particles *particles = s->particles;
     size_t k = particles_append(particles);
     struct particle_state *p = &particles->state[k];
-    bool prescribed = s->grains.motion.motion[candidate->group].prescribed;
+    bool prescribed = s->scene->group[candidate->group].motion != SCENE_FREE;
     memcpy(p->x, candidate->x, sizeof p->x);
     memcpy(p->v, candidate->v, sizeof p->v);
     p->radius = candidate->radius;
     p->inverse_mass = prescribed ? 0 : 1 / particles_sphere_mass(candidate->radius, candidate->density);
     particles->id[k] = id;
     double(*omega)[4] = spin_of(particles), *density = groups_densities(particles);
+    double *temperature = fields_numbers(particles, "temperature");
     uint8_t *material = material_numbers(particles), *group = groups_of(particles);
     if (omega)
         memcpy(omega[k], candidate->omega, sizeof candidate->omega);
@@ -266,17 +273,9 @@ static void candidate_append(struct simulation *s, const struct insertion_candid
         group[k] = (uint8_t)candidate->group;
     if (density)
         density[k] = candidate->density;
+    if (temperature)
+        temperature[k] = candidate->temperature;
     crossings_account(s, k, -1);
-}
-
-/* Extends the starts of history rows for the appended particles, whose rows are empty. */
-static void *starts_extend(size_t *start, size_t before, size_t after) {
-    if (start == NULL || before == after)
-        return start;
-    start = memory_resize(start, after + 1, sizeof *start, "history rows");
-    for (size_t k = before + 1; k <= after; k++)
-        start[k] = start[before];
-    return start;
 }
 
 static void insertion_run(struct simulation *s, int number) {
@@ -295,9 +294,13 @@ static void insertion_run(struct simulation *s, int number) {
         left = insertion_settle(insertion, candidate, blocked, n);
     }
     s->sources.inserted += insertion_end(insertion, state, candidate, n);
-    for (size_t k = 0; k < n; k++)
-        if (candidate[k].accepted)
-            candidate_append(s, &candidate[k]);
+    for (size_t k = 0; k < n; k++) {
+        enum box_leave leave = BOX_KEEP;
+        if (!candidate[k].accepted)
+            continue;
+        candidate_append(s, &candidate[k]);
+        s->sources.lost[number] += side_left(&s->box, candidate[k].x, &leave) >= 0;
+    }
     placegrid_destroy(&grid);
     memory_free(candidate);
     memory_free(blocked);
@@ -324,11 +327,11 @@ void sources_run(struct simulation *s, struct rebuild_rows *rows) {
     if (s->particles->owned > (size_t)1 << PARTICLE_INDEX_BITS)
         error_fatal("%zu particles on one rank, at most %zu are possible: use more ranks",
                     s->particles->owned, (size_t)1 << PARTICLE_INDEX_BITS);
-    rows->pairs.start = starts_extend(rows->pairs.start, before, s->particles->owned);
-    rows->walls.start = starts_extend(rows->walls.start, before, s->particles->owned);
+    rows->pairs.start = rowset_extend(rows->pairs.start, before, s->particles->owned);
+    rows->walls.start = rowset_extend(rows->walls.start, before, s->particles->owned);
     for (int k = 0; k < PHYSICS_COUNT; k++)
         if (rows->carried[k])
-            rows->carried[k]->start = starts_extend(rows->carried[k]->start, before, s->particles->owned);
+            rows->carried[k]->start = rowset_extend(rows->carried[k]->start, before, s->particles->owned);
     if (!s->ranks.alone)
         comm_sum_int(s->comm, &removed, 1);
     s->sources.deleted += (uint64_t)removed;

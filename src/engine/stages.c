@@ -57,8 +57,8 @@ static void physics_register(struct timers *timers, const struct physics *const 
 /* Registers what physics adds to the stages of passes. */
 static void further_register(struct timers *timers, const struct physics *const *physics, int count) {
     for (int k = 0; k < count; k++)
-        for (int p = 0; p < physics[k]->stages; p++) {
-            const struct timer_stage *stage = &physics[k]->stage[p];
+        for (int p = 0; physics[k]->shown && p < physics[k]->shown->stages; p++) {
+            const struct timer_stage *stage = &physics[k]->shown->stage[p];
             timer_register(timers, stage->name, stage->help, stage->use);
         }
 }
@@ -79,11 +79,11 @@ void stages_register(struct timers *timers, const struct physics *const *physics
     own_register(timers, LATER, OWN);
 }
 
-void stages_register_all(struct timers *timers, const struct physics *grains) {
-    const struct physics *physics[PHYSICS_COUNT + 1] = {grains};
-    for (int k = 0; k < PHYSICS_COUNT; k++)
-        physics[k + 1] = physics_get((enum physics_number)k);
-    stages_register(timers, physics, PHYSICS_COUNT + 1);
+void stages_register_all(struct timers *timers) {
+    const struct physics *physics[PHYSICS_ALL];
+    for (int k = 0; k < PHYSICS_ALL; k++) /* those that are always there come first, as in a run */
+        physics[k] = physics_get((enum physics_number)((k + PHYSICS_COUNT) % PHYSICS_ALL));
+    stages_register(timers, physics, PHYSICS_ALL);
 }
 
 int stages_find(const struct timers *timers, const char *name) {

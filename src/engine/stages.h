@@ -14,8 +14,8 @@ void stages_register(struct timers *timers, const struct physics *const *physics
 /* Registers the first stage alone, that of the set-up; returns its number. */
 int stages_begin(struct timers *timers);
 
-/* Registers the stages of grains and of all physics that there are, for the documentation. */
-void stages_register_all(struct timers *timers, const struct physics *grains);
+/* Registers the stages of all physics that there are, for the documentation. */
+void stages_register_all(struct timers *timers);
 
 /* The stage of a physics' pass, or of a name; the stage is registered. */
 int stages_of_pass(const struct timers *timers, const struct physics_pass *pass);

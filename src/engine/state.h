@@ -5,11 +5,9 @@
 #ifndef SCREE_ENGINE_STATE_H
 #define SCREE_ENGINE_STATE_H
 
-#include "contact/force.h"
 #include "engine/plan.h"
 #include "core/log.h"
 #include "core/team.h"
-#include "integrate/timestep.h"
 #include "formats/output.h"
 #include "pairs/skin.h"
 #include "pairs/skin_choice.h"
@@ -22,7 +20,6 @@ enum { TUNING_VARIANTS_MAX = 8 };
 
 struct simulation;
 struct domain;
-struct walls;
 
 /* The signals that all ranks must agree on in a step; one reduction. */
 struct step_signals {
@@ -50,40 +47,19 @@ struct tuning {
     double start, seconds[TUNING_VARIANTS_MAX];
 };
 
-/* The stable step, and the data from which it was found (timing.h). */
+/* The stable step (timing.h). */
 struct timing {
-    struct timestep_limits limits;
-    double expected;         /* the stable step for future contacts, without the present contacts */
-    double overlap_started;  /* largest overlap at the start of a run, over the smaller radius */
-    double speed_expected;   /* speed of an impact for the stable step; length/time */
-    double overlap_expected; /* of the heaviest equal particles, or of one and a wall, at that speed, over the
-                                radius */
-};
-
-/* Data of grains (grains.c). */
-struct grains {
-    struct law law;
-    struct law_user *user; /* the law of a file; NULL: none */
-    struct integrator_context motion;
-    const struct pairlist *list; /* of contacts; one of the lists of `interactions` */
-    struct history *history;     /* NULL: the law has none */
-    struct walls *walls;         /* NULL: none */
-    struct force_loop *loop;
-    struct force_context contact;
-    struct force_sums sums;           /* of the last evaluation, this rank's part */
-    double taken;                     /* sum of force_sums.taken since the start, this rank's part */
-    bool sums_each_step;              /* dissipated energy is observed */
-    double (*speed)[CLASS_MAX];       /* [thread][class]: largest squared speed of the last drift */
-    struct wall_push push[WALLS_MAX]; /* of walls with servos */
+    double stable;   /* for the contacts that there are, and those that may come */
+    double expected; /* for contacts that may come alone */
 };
 
 /* Edges and shear of the box that follow the stress (deform.c). */
 struct box_servo {
     bool on;
-    double mass;               /* of all particles */
-    double bound;              /* largest rate of an edge, 1/time, for a target of 1 */
-    double drift;              /* the part of the rate of the shear that adds up, 1/time */
-    struct force_exact *exact; /* by thread: sums that no layout changes; NULL: not wanted. Owned */
+    double mass;                        /* of all particles */
+    double bound;                       /* largest rate of an edge, 1/time, for a target of 1 */
+    double drift;                       /* the part of the rate of the shear that adds up, 1/time */
+    struct exact (*exact)[STRESS_SUMS]; /* by thread: sums that no layout changes; NULL: not wanted. Owned */
 };
 
 /* The search for pairs, and when it is due again. */
@@ -96,12 +72,23 @@ struct search {
     bool sorts;             /* the next rebuild sorts the particles, as a rebuild after a resume does */
     uint64_t sorted;        /* rebuilds that sorted, the first one among them */
     struct interactions interactions; /* the interactions with their lists */
+    const struct pairlist *list;      /* the list of the sweep: of the first interaction */
+    struct history *history;    /* memory of contacts of these pairs, of who moves the grains; NULL: none */
+    double (*speed)[CLASS_MAX]; /* [thread][class]: largest squared speed of the last drift */
     struct skin *skin;
     struct skin_choice choice; /* of the skin, with `skin: auto`; skin_auto.h */
     struct sweep *sweep;       /* the plan of the fused order; NULL: the scene wants only the plain order */
-    struct ring *ring;         /* the plan of the ring order; NULL: the scene does not have it */
-    bool ring_agreed;          /* several ranks: all have such a plan since the last rebuild */
-    bool ring_before; /* several ranks: the step before may have ended in ring order on some of them */
+};
+
+/* The order of a step (order.h). */
+enum order_kind { ORDER_PLAIN, ORDER_FUSED, ORDER_RING };
+struct order {
+    enum order_kind kind; /* of the step in progress */
+    bool unseen;          /* before the next step nobody looks at the particles */
+    bool ahead;           /* positions and velocities are those of the next step already */
+    struct ring *ring;    /* the plan of the ring order; NULL: the scene does not have it */
+    bool agreed;          /* several ranks: all have such a plan since the last rebuild */
+    bool before;          /* several ranks: the step before may have ended in ring order on some of them */
 };
 
 /* The division among ranks, and this rank's copies. */
@@ -122,9 +109,10 @@ struct ranks {
 struct sources {
     struct scene_census census;
     int64_t next_id;
-    double placing_told; /* seconds: clock at the last progress line of a placement; 0: none yet */
-    struct insertion insertion[INSERTIONS_MAX];
-    struct insertion_state state[INSERTIONS_MAX];
+    double placing_told;         /* seconds: clock at the last progress line of a placement; 0: none yet */
+    struct insertion *insertion; /* by number; owned, as the next */
+    struct insertion_state *state;
+    uint64_t *lost; /* particles of this run that were placed where the box deletes them */
     uint64_t inserted, deleted;
     double deleted_mass; /* this rank's part */
     uint64_t last_step;  /* last step at which particles came or went */
@@ -153,9 +141,9 @@ struct stage_place {
 };
 
 /* Data of the guards (guards.h). */
+enum guard_kind { GUARD_SPEED, GUARD_ENERGY, GUARD_STEP, GUARD_KINDS };
 struct guards {
-    unsigned warned;    /* one bit for each guard: has warned */
-    bool overlap_known; /* the largest overlap of the step before is in grains.sums */
+    bool warned[GUARD_KINDS];
     struct guard_energy energy;
 };
 
@@ -189,11 +177,12 @@ struct simulation {
     bool classes_stale; /* radii may have changed: the next rebuild chooses classes again */
     uint64_t total;     /* particles on all ranks */
     struct clock clock;
-    bool ahead; /* positions and velocities are those of the next step already (step.h) */
+    struct order order;
     struct stage_place stage;
     struct output_crossing crossings[OUTPUT_PLANES_MAX]; /* crossings.h */
     struct timing timing;
-    struct grains grains;
+    struct evaluation evaluation; /* of forces */
+    bool sums_each_step;          /* dissipated energy is observed, or guarded */
     struct search search;
     struct ranks ranks;
     struct sources sources;

@@ -19,18 +19,15 @@ struct output_view simulation_view(const struct simulation *s) {
     struct output_view view = {.comm = s->comm,
                                .particles = s->particles,
                                .box = &s->box,
-                               .motion = &s->grains.motion,
-                               .walls = s->grains.walls,
-                               .contact = &s->grains.contact,
-                               .sums = &s->grains.sums,
-                               .taken = s->grains.taken,
                                .step = s->clock.step,
                                .time = s->clock.time,
+                               .staged = s->scene->stages > 0,
                                .load = {.ghosts = ghosts.ghosts,
                                         .messages = ghosts.messages,
                                         .bytes = ghosts.bytes,
                                         .work = timer_sum(&s->timers, TIMER_WORK, 0),
                                         .waiting = timer_sum(&s->timers, TIMER_WAIT, 0)}};
+    struct physics_energy others;
     view.turnover = (struct output_turnover){.inserted = s->sources.inserted,
                                              .deleted = s->sources.deleted,
                                              .deleted_mass = s->sources.deleted_mass};
@@ -38,9 +35,23 @@ struct output_view simulation_view(const struct simulation *s) {
         view.turnover.inserted_mass += s->sources.state[k].mass;
     view.crossing = s->crossings;
     physics_own(&s->physics, view.own);
-    physics_energy(&s->physics, &view.held, &view.gone);
-    view.gone -= physics_work(&s->physics);
+    physics_energies(&s->physics, &others);
+    view.held = others.held;
+    view.gone = others.taken - others.work;
+    PHYSICS_EACH (active, &s->physics, shown)
+        if (active->row->shown->view)
+            active->row->shown->view(&active->context, &view);
     return view;
+}
+
+int64_t simulation_contact_sides(const struct simulation *s) {
+    const struct physics_active *mover = s->physics.mover;
+    return mover->row->mover->contacts ? (int64_t)mover->row->mover->contacts(&mover->context) : 0;
+}
+
+bool simulation_occupied(const struct simulation *s, const double x[3], double radius) {
+    const struct physics_active *obstacles = s->physics.obstacles;
+    return obstacles && obstacles->row->obstacles->taken(&obstacles->context, x, radius);
 }
 
 bool simulation_may_lose(const struct simulation *s) {

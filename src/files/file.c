@@ -11,6 +11,7 @@
 #include <inttypes.h>
 #include <string.h>
 #include <sys/resource.h>
+#include <stdlib.h>
 #include <sys/stat.h>
 #include <sys/statvfs.h>
 #include <unistd.h>
@@ -119,6 +120,18 @@ bool file_join(char *path, const char *directory, const char *name, struct error
         return error_set(error, ERROR_USER, "%.100s...: the path is longer than %d characters", directory,
                          FILE_PATH_MAX - 1);
     return true;
+}
+
+const char *file_waits(const char *path) {
+    struct stat found;
+    if (stat(path, &found) != 0 || S_ISREG(found.st_mode) || S_ISDIR(found.st_mode))
+        return NULL;
+    if (!S_ISFIFO(found.st_mode))
+        return S_ISSOCK(found.st_mode) ? "is a socket, not a file" : "is a device, not a file";
+    char *name = realpath(path, NULL); /* the link of a pipe without a name leads nowhere */
+    const char *why = name ? "is a named pipe, not a file" : NULL;
+    free(name);
+    return why;
 }
 
 int64_t file_size(const char *path) {

@@ -54,6 +54,10 @@ bool file_write_at(int handle, const void *data, uint64_t bytes, uint64_t offset
 enum { FILE_SHORT_MAX = 160 };
 bool file_shorten(const char *path, char name[FILE_PATH_MAX], int *folder, struct error *error);
 
+/* Why a path must not be opened for reading, as that could wait for ever: "is a named pipe, not a file", say.
+ * NULL: it may be opened, or is not there. A pipe without a name, as bash's <(...) makes it, may be. */
+const char *file_waits(const char *path);
+
 /* Size of a file in bytes, or -1 if the system does not give the size. */
 int64_t file_size(const char *path);
 

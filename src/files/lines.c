@@ -14,6 +14,9 @@
 
 bool lines_open(struct lines *lines, const char *path, struct error *error) {
     *lines = (struct lines){.path = path};
+    const char *waits = file_waits(path);
+    if (waits)
+        return error_set(error, ERROR_USER, "%s: %s", path, waits);
     lines->file = gzopen(path, "rb");
     return lines->file || error_set(error, ERROR_USER, "%s: cannot be opened: %s", path, strerror(errno));
 }

@@ -6,8 +6,6 @@ libfiles_la_SOURCES = \
 	src/files/lines.c \
 	src/files/lines.h \
 	src/files/numbers.c \
-	src/files/numbers.h \
-	src/files/program.c \
-	src/files/program.h
+	src/files/numbers.h
 libfiles_la_CPPFLAGS = $(AM_CPPFLAGS) $(ZLIB_CFLAGS)
 libfiles_la_LIBADD = $(ZLIB_LIBS)

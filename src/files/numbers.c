@@ -2,6 +2,7 @@
 /* Reads a table of numbers. Read numbers.h first. */
 #include "files/numbers.h"
 #include "core/memory.h"
+#include "files/file.h"
 #include <errno.h>
 #include <math.h>
 #include <stdio.h>
@@ -11,6 +12,11 @@
 static const char numbers_separators[] = " \t\v\f\r,;";
 
 char *numbers_load(const char *path, size_t *size, struct error *error) {
+    const char *waits = file_waits(path);
+    if (waits) {
+        error_set(error, ERROR_USER, "%s: %s", path, waits);
+        return NULL;
+    }
     FILE *file = fopen(path, "rb");
     if (file == NULL) {
         error_set(error, ERROR_USER, "%s: cannot be opened: %s", path, strerror(errno));
@@ -129,6 +135,41 @@ bool numbers_read(struct numbers *numbers, const char *path, int columns, struct
     good = good && numbers_parse(numbers, text, path, columns, error);
     memory_free(text);
     return good;
+}
+
+bool numbers_check_times(const struct numbers *numbers, const char *path, const char *row_text,
+                         struct error *error) {
+    if (numbers->rows == 0)
+        return error_set(error, ERROR_USER, "%s: no row of %s", path, row_text);
+    for (size_t row = 1; row < numbers->rows; row++) {
+        const double *after = numbers->value + row * (size_t)numbers->columns,
+                     *before = after - numbers->columns;
+        if (!(*after > *before))
+            return error_set(error, ERROR_USER, "%s:%u: time %g does not increase (%g before)", path,
+                             numbers->line[row], *after, *before);
+    }
+    return true;
+}
+
+size_t numbers_row(const struct numbers *numbers, double t) {
+    size_t low = 0, high = numbers->rows - 1;
+    while (high - low > 1) {
+        size_t middle = (low + high) / 2;
+        if (numbers->value[middle * (size_t)numbers->columns] <= t)
+            low = middle;
+        else
+            high = middle;
+    }
+    return low;
+}
+
+void numbers_at(const struct numbers *numbers, double t, double *value) {
+    const double *a = numbers->value + numbers_row(numbers, t) * (size_t)numbers->columns;
+    const double *b = numbers->rows > 1 ? a + numbers->columns : a;
+    double part = b > a ? (t - a[0]) / (b[0] - a[0]) : 0.0;
+    part = part < 0.0 ? 0.0 : part > 1.0 ? 1.0 : part;
+    for (int k = 1; k < numbers->columns; k++)
+        value[k - 1] = (1.0 - part) * a[k] + part * b[k];
 }
 
 void numbers_free(struct numbers *numbers) {

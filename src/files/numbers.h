@@ -26,6 +26,18 @@ bool numbers_read(struct numbers *numbers, const char *path, int columns, struct
 bool numbers_parse(struct numbers *numbers, char *text, const char *path, int columns, struct error *error);
 void numbers_free(struct numbers *numbers);
 
+/* Fails (user, with file and line) unless the first numbers of the rows, times, increase and there is a row; `row_text`
+ * says what a row is ("t T"). */
+bool numbers_check_times(const struct numbers *numbers, const char *path, const char *row_text,
+                         struct error *error);
+
+/* The last row whose time is not after t; the last but one at most, 0 at least. Needs numbers_check_times. Any thread. */
+size_t numbers_row(const struct numbers *numbers, double t);
+
+/* The numbers behind the time, columns - 1, at time t: linear between rows, constant before the first and after the
+ * last. Needs numbers_check_times. Any thread. */
+void numbers_at(const struct numbers *numbers, double t, double *value);
+
 /* Reads a whole file; a zero byte follows the contents. NULL with an error (user) if the file cannot be read.
  * memory_free releases. */
 char *numbers_load(const char *path, size_t *size, struct error *error);

@@ -12,7 +12,7 @@ static double dot(const double a[3], const double b[3]) {
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
-/* sum[row] = sum of w_ij E_0 . (x_j - x_i) over what is no wall. */
+/* sum[row] = sum of w_ij k_ij E_0 . (x_j - x_i) over what is no wall. */
 static void side_make(const struct applied *applied, const double far[3], double *sum) {
     const struct weights *weights = applied->flow->weights;
 #pragma omp parallel for schedule(static)
@@ -24,7 +24,7 @@ static void side_make(const struct applied *applied, const double far[3], double
             if (e >= walls && !weights_foot_of(weights, w++)->open)
                 continue;
             weights_apart(weights, applied->input, row, e, apart);
-            sum[row] += weights_scalar(weights, e) * dot(far, apart);
+            sum[row] += weights_scalar(weights, e) * applied->share[e] * dot(far, apart);
         }
     }
 }
@@ -74,7 +74,7 @@ bool applied_field(const struct applied *applied, const double far[3], double *f
     const struct flow *flow = applied->flow;
     const struct weights *weights = flow->weights;
     struct solve_options options = solve_options_singular("fluid_f_");
-    struct pressure potential = {0};
+    struct pressure potential = {.share = applied->share};
     double *sum = memory_allocate(weights->rows, sizeof *sum, "applied field");
     options.tolerance = TOLERANCE;
     options.preconditioner = applied->preconditioner;

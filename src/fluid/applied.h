@@ -3,7 +3,7 @@
  *
  *   div grad Phi = 0,   no flux through walls and grains,   Phi + E_0 . x periodic,   E = - grad Phi
  *
- * Phi = phi - E_0 . x; the matrix of phi is that of the pressure. In the gradient a wall neighbour j counts with the part of
+ * Phi = phi - E_0 . x; the matrix of phi is that of the pressure, with the shares of shares.h. In the gradient a wall neighbour j counts with the part of
  * grad Phi . (x_j - x_i) along the wall, so that a field along a wall is exact. */
 #ifndef SCREE_FLUID_APPLIED_H
 #define SCREE_FLUID_APPLIED_H
@@ -16,6 +16,7 @@ struct applied {
     const struct weights_input *input;
     struct assembly *assembly; /* has the pattern; the values are overwritten */
     struct solve *solve;
+    const double *share; /* by entry (shares.h) */
     const char *preconditioner;
 };
 

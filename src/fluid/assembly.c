@@ -144,9 +144,10 @@ double assembly_wall_factor(const struct weights *weights, size_t wall, int comp
     return along + (straight - along) * n * n;
 }
 
-/* What a gradient of the pressure multiplies: a factor of each particle, C of whole.h, or 1. */
+/* What a gradient of the pressure multiplies: a factor of each particle or entry, C of whole.h, or 1. */
 struct share {
     struct operators_values k; /* without values: 1 */
+    const double *entry;       /* NULL: 1 */
     bool whole;
 };
 
@@ -154,6 +155,8 @@ struct share {
 static double share_of(const struct share *share, const struct weights *weights, size_t i, size_t j,
                        size_t entry) {
     const double *k = share->k.value;
+    if (share->entry != NULL)
+        return share->entry[entry];
     if (share->whole)
         return 0.5 * (weights_whole_along(weights, i, entry) + weights_whole_along(weights, j, entry));
     return k != NULL ? 0.5 * (k[i * share->k.stride] + k[j * share->k.stride]) : 1;
@@ -227,4 +230,8 @@ void assembly_pressure(struct assembly *assembly, const struct weights *weights,
 
 void assembly_darcy(struct assembly *assembly, const struct weights *weights, struct operators_values k) {
     fill_pressure(assembly, weights, &(struct share){.k = k});
+}
+
+void assembly_shared(struct assembly *assembly, const struct weights *weights, const double *share) {
+    fill_pressure(assembly, weights, &(struct share){.entry = share});
 }

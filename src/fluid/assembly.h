@@ -36,6 +36,9 @@ void assembly_pressure(struct assembly *assembly, const struct weights *weights,
 /* value = - div k grad, the same with a factor k > 0 of each particle, copies included. */
 void assembly_darcy(struct assembly *assembly, const struct weights *weights, struct operators_values k);
 
+/* The same with a factor of each entry (shares.h). */
+void assembly_shared(struct assembly *assembly, const struct weights *weights, const double *share);
+
 struct solve_rows assembly_rows(const struct assembly *assembly);
 
 /* The factor of (u_i - u_w) in component `component` of a wall entry, and what the other components add to

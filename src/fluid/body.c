@@ -2,6 +2,7 @@
 /* Feet on bodies. Read body.h first. */
 #include "fluid/body.h"
 #include <math.h>
+#include <string.h>
 
 void body_sphere_foot(const double away[3], double radius, int dimension, const double velocity[3],
                       const double *omega, struct weights_foot *foot) {
@@ -16,4 +17,5 @@ void body_sphere_foot(const double away[3], double radius, int dimension, const 
     for (int d = 0; d < 3; d++)
         foot->velocity[d] =
             velocity[d] + distance * (w[(d + 1) % 3] * n[(d + 2) % 3] - w[(d + 2) % 3] * n[(d + 1) % 3]);
+    memcpy(foot->spin, w, sizeof foot->spin);
 }

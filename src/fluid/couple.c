@@ -1,13 +1,13 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* The load of the fluid on grains, and their motion under it. Read couple.h first. */
 #include "fluid/couple.h"
-#include "contact/spin.h"
+#include "particles/spin.h"
 #include "core/memory.h"
 #include "fluid/drag.h"
 #include "fluid/dust.h"
 #include "fluid/fields.h"
 #include "fluid/state.h"
-#include "integrate/groups.h"
+#include "particles/groups.h"
 #include "particles/fields.h"
 #include "particles/kinds.h"
 #include <math.h>
@@ -46,6 +46,43 @@ static bool group_unresolved(const struct physics_context *context, int number) 
     return all;
 }
 
+/* True if the grains of a group turn at most, each about its own centre: to a fluid they stay where they are. */
+static bool group_stays(const struct scene_group *group) {
+    return group->motion == SCENE_FROZEN || (group->motion == SCENE_MOVING && group->velocity[0] == 0 &&
+                                             group->velocity[1] == 0 && group->velocity[2] == 0);
+}
+
+/* False, with an error, if a group is to turn in a scene in which grains do not. */
+static bool spin_suits(const struct physics_context *context, const struct scene_group *group,
+                       const char *key, struct error *error) {
+    bool turns = group->motion == SCENE_MOVING &&
+                 (group->omega[0] != 0 || group->omega[1] != 0 || group->omega[2] != 0);
+    return !turns || spin_of(context->particles) != NULL ||
+           scene_fail(context->scene, error, key,
+                      "group '%s' has a spin, but grains turn only with a contact law that has friction",
+                      group->name);
+}
+
+/* Grains may not come, and may not go with a part of the surface of the fluid. */
+static bool numbers_suit(const struct physics_context *context, struct error *error) {
+    static const char stay[] =
+        "would take grains out of the fluid that resolves them; allowed beside resolved grains: ";
+    const struct scene *scene = context->scene;
+    const struct box *box = context->box;
+    bool any = false;
+    if (scene->insertions > 0)
+        return scene_fail(scene, error, "insertions",
+                          "grains cannot be inserted into a fluid; not built yet");
+    for (size_t k = 0; !any && k < context->particles->owned; k++)
+        any = resolved(context, k);
+    if (any && scene->deletions > 0)
+        return scene_fail(scene, error, "deletions", "%snone", stay);
+    for (int d = 0; any && d < box->dimension; d++)
+        if (!box->periodic[d] && (box->leave[d][0] == BOX_DELETE || box->leave[d][1] == BOX_DELETE))
+            return scene_fail(scene, error, "box.leave", "delete %skeep, error", stay);
+    return true;
+}
+
 /* Each rank looks at its own grains. */
 static bool grains_suit(const struct physics_context *context, struct error *error) {
     const struct scene *scene = context->scene;
@@ -56,12 +93,14 @@ static bool grains_suit(const struct physics_context *context, struct error *err
         snprintf(key, sizeof key, "particles.sources[%d].group", k);
         bool carried = group->motion == SCENE_MOVING && fluid_carries(context->options);
         carried = carried || couple_free(context->options) || group_unresolved(context, group_number);
-        if (scene->source[k].group >= 0 && group->motion != SCENE_FROZEN && !carried)
+        if (scene->source[k].group >= 0 && !group_stays(group) && !carried)
             return scene_fail(
                 scene, error, key,
-                "group '%s' moves; allowed beside `fluid`: frozen groups, and with fluid.motion: "
-                "lagrangian groups whose motion is given",
+                "group '%s' moves; allowed beside `fluid`: groups that are frozen or only spin, and with "
+                "fluid.motion: lagrangian groups whose motion is given",
                 group->name);
+        if (!spin_suits(context, group, key, error))
+            return false;
     }
     const struct particles *p = context->particles;
     for (size_t k = 0; k < p->owned && !couple_free(context->options); k++)
@@ -71,8 +110,7 @@ static bool grains_suit(const struct physics_context *context, struct error *err
                               "motion: frozen, or free "
                               "grains with fluid.motion: lagrangian and fluid.grains: free",
                               (long long)p->id[k]);
-    return scene->insertions == 0 ||
-           scene_fail(scene, error, "insertions", "grains cannot be inserted into a fluid; not built yet");
+    return numbers_suit(context, error);
 }
 
 bool couple_grains_suit(const struct physics_context *context, struct error *error) {
@@ -83,6 +121,13 @@ bool couple_grains_suit(const struct physics_context *context, struct error *err
 uint64_t couple_every(const struct physics_context *context) {
     const struct fluid_options *options = context->options;
     return couple_free(options) || dust_any(options) ? (uint64_t)options->grains.every : 1;
+}
+
+const char *couple_pockets(const struct fluid_options *options) {
+    return couple_free(options)
+               ? "; where grains close pockets of fluid between them no step is short enough "
+                 "(docs/fluid.md, Limits)"
+               : "";
 }
 
 bool couple_due(const struct physics_context *context) {
@@ -104,17 +149,16 @@ static void feet_add(const struct fluid *fluid, struct particles *p) {
     for (size_t k = 0; k < weights->foot_start[weights->rows]; k++) {
         size_t i = fluid->forces.grain[k];
         const struct forces_part *part = &fluid->forces.part[k];
-        double force[3], lever[3];
+        double torque[3], lever[3];
         if (i == SIZE_MAX)
             continue;
-        for (int d = 0; d < 3; d++) {
-            force[d] = part->viscous[d] + part->pressure[d];
-            lever[d] = p->state[i].radius * weights->foot[k].normal[d];
-            load[i][d] += force[d];
-        }
         for (int d = 0; d < 3; d++)
-            load[i][3 + d] +=
-                lever[(d + 1) % 3] * force[(d + 2) % 3] - lever[(d + 2) % 3] * force[(d + 1) % 3];
+            lever[d] = p->state[i].radius * weights->foot[k].normal[d];
+        forces_torque(part, lever, torque);
+        for (int d = 0; d < 3; d++) {
+            load[i][d] += part->viscous[d] + part->pressure[d];
+            load[i][3 + d] += torque[d];
+        }
     }
 }
 
@@ -142,7 +186,7 @@ void couple_push(const struct physics_context *context, size_t i, double push[3]
     for (int d = 0; d < 3; d++)
         push[d] =
             d < context->box->dimension
-                ? volume * (fluid->drive.force[d] - fluid->options->density * context->motion->gravity[d])
+                ? volume * (fluid->drive.force[d] - fluid->options->density * context->scene->gravity[d])
                 : 0;
 }
 
@@ -159,7 +203,7 @@ static double work_of(const struct physics_context *context, size_t i, const dou
     double(*spin)[4] = spin_of(p), half = 0.5 * context->clock->dt, mass = 1 / state->inverse_mass, sum = 0,
     inertia = 0.4 * mass * state->radius * state->radius;
     for (int d = 0; d < 3; d++) {
-        double before = state->v[d] - jump[d], all = force[d] + push[d] + mass * context->motion->gravity[d];
+        double before = state->v[d] - jump[d], all = force[d] + push[d] + mass * context->scene->gravity[d];
         sum += half * (push[d] + (context->clock->step > 0 ? last[d] : 0)) * before +
                jump[d] * (mass * (before + 0.5 * jump[d]) + half * all);
         if (spin != NULL)
@@ -182,7 +226,7 @@ static void load_guess(const struct physics_context *context, size_t i, const do
            *load = fluid_load(context->particles)[i];
     memset(load, 0, sizeof fluid_load(context->particles)[i]);
     for (int d = 0; d < context->box->dimension; d++)
-        load[d] = -added * (force[d] + mass * context->motion->gravity[d] + push[d]) / (mass + added);
+        load[d] = -added * (force[d] + mass * context->scene->gravity[d] + push[d]) / (mass + added);
 }
 
 void couple_apply(const struct physics_context *context) {

@@ -15,6 +15,9 @@
 /* True if the fluid moves grains. */
 bool couple_free(const struct fluid_options *options);
 
+/* What every message of a flow that stops a run adds where the fluid moves grains; else "". */
+const char *couple_pockets(const struct fluid_options *options);
+
 /* True if the keys go together with the others; else a user's error with the key. */
 bool couple_suits(const struct physics_context *context, struct error *error);
 

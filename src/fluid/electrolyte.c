@@ -8,6 +8,7 @@
 #include "fluid/links.h"
 #include "fluid/motion.h"
 #include "fluid/residual.h"
+#include "fluid/shares.h"
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
@@ -25,6 +26,7 @@ struct electrolyte {
     bool made;
     struct assembly assembly;
     struct solve_system *system;
+    double *share;                                /* by entry, of the field (shares.h) */
     double *given, *slope;                        /* by foot, in thermal voltages */
     double *gap, *side, *change, *old, *diagonal; /* [rows] */
     double gap_size;                              /* norm of the gap */
@@ -84,6 +86,7 @@ void electrolyte_forget(struct electrolyte *electrolyte) {
         return;
     solve_destroy(&electrolyte->system);
     assembly_free(&electrolyte->assembly);
+    memory_free(electrolyte->share);
     memory_free(electrolyte->given);
     memory_free(electrolyte->slope);
     memory_free(electrolyte->gap);
@@ -262,6 +265,12 @@ static void charge_make(const struct physics_context *context) {
     }
 }
 
+void electrolyte_rebuilt(const struct physics_context *context) {
+    const struct fluid *fluid = context->self;
+    if (fluid->electrolyte != NULL)
+        fluid->electrolyte->share = shares_make(context, NULL, 0, NULL);
+}
+
 static bool make(const struct physics_context *context, struct fluid *fluid) {
     struct electrolyte *electrolyte = fluid->electrolyte;
     size_t rows = fluid->weights.rows;
@@ -279,10 +288,11 @@ static bool make(const struct physics_context *context, struct fluid *fluid) {
         .input = &fluid->input,
         .assembly = &electrolyte->assembly,
         .solve = fluid->solve,
+        .share = electrolyte->share,
         .preconditioner = fluid->options->solver.preconditioner == FLUID_GAMG ? "gamg" : "boomeramg"};
-    if (!applied_field(&applied, electrolyte->options->field, electrolyte_field(context->particles),
-                       &fluid->error) ||
-        !newton(context))
+    bool good = applied_field(&applied, electrolyte->options->field, electrolyte_field(context->particles),
+                              &fluid->error);
+    if (!good || !newton(context))
         return false;
     charge_make(context);
     electrolyte_fields_forward(context);

@@ -30,6 +30,9 @@ void electrolyte_destroy(struct electrolyte **electrolyte);
 /* The particles, or their order, are others. */
 void electrolyte_forget(struct electrolyte *electrolyte);
 
+/* After electrolyte_forget and a rebuild, while the fluid has its pairs: what surfaces are to the field. Collective. */
+void electrolyte_rebuilt(const struct physics_context *context);
+
 /* Solves for potential and field where that is not done yet, and gives the flow its force by row. An error goes to
  * fluid->error. Collective. */
 void electrolyte_step(const struct physics_context *context);

@@ -1,9 +1,11 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* Feet on walls and open sides. Read feet.h first. */
 #include "fluid/feet.h"
-#include "contact/spin.h"
+#include "grains/grains.h"
+#include "particles/spin.h"
 #include "fluid/fields.h"
 #include "fluid/mirror.h"
+#include <math.h>
 #include <string.h>
 
 double feet_reach(const struct fluid_options *options, const struct box *box) {
@@ -21,11 +23,16 @@ void feet_on(const void *context, int64_t body, const double x[3], struct weight
     walls_foot(feet->walls, body_wall(body), x, feet_reach(feet->options, feet->box), &found);
     foot->distance = found.distance;
     memcpy(foot->normal, found.normal, sizeof foot->normal);
-    memcpy(foot->velocity, found.velocity, sizeof foot->velocity);
+    memcpy(foot->spin, found.spin, sizeof foot->spin);
+    const double *w = found.spin, *n = found.normal;
+    for (int d = 0; d < 3; d++)
+        foot->velocity[d] =
+            found.velocity[d] + (isfinite(found.distance) ? found.distance : 0) *
+                                    (w[(d + 1) % 3] * n[(d + 2) % 3] - w[(d + 2) % 3] * n[(d + 1) % 3]);
 }
 
 size_t feet_mirror(const struct physics_context *context, struct fluid *fluid) {
-    const struct feet feet = {context->walls, fluid->options, context->box};
+    const struct feet feet = {grains_walls(context), fluid->options, context->box};
     const struct mirror_input mirror = {.rows = &fluid->input,
                                         .body = fluid_body(context->particles),
                                         .spin = (const double(*)[4])spin_of(context->particles),

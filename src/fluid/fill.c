@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* From nodes of the lattice to particles. Read fill.h first. */
 #include "fluid/fill.h"
+#include "grains/grains.h"
 #include "core/memory.h"
 #include "fluid/body.h"
 #include "fluid/couple.h"
@@ -178,6 +179,11 @@ static bool options_suit(const struct physics_context *context, struct error *er
             context->scene, error, "fluid.time",
             "steady goes with equations: stokes alone; for the steady flow of navier_stokes run a "
             "transient one until it no longer changes");
+    if (context->scene->reproducible)
+        return scene_fail(
+            context->scene, error, "reproducible",
+            "the linear systems of a fluid are solved in sums that depend on the layout; allowed "
+            "beside `fluid`: false");
     return operators_suit(context, error) && drive_suits(context, error) && motion_suits(context, error) &&
            couple_suits(context, error) && scalars_suit(context, error) && electrolyte_suits(context, error);
 }
@@ -186,7 +192,7 @@ static bool options_suit(const struct physics_context *context, struct error *er
 static bool walls_suit(const struct physics_context *context, struct error *error) {
     for (int w = 0; w < context->scene->walls; w++) {
         const struct wall_options *wall = &context->scene->wall[w];
-        size_t open = walls_open_edges(context->walls, w);
+        size_t open = walls_open_edges(grains_walls(context), w);
         char key[64];
         snprintf(key, sizeof key, "walls[%d].file", w);
         if (open > 0)

@@ -3,6 +3,7 @@
 #ifndef SCREE_FLUID_FLUID_H
 #define SCREE_FLUID_FLUID_H
 
+#include "files/file.h"
 #include "fluid/weights.h"
 #include "scene/region.h"
 
@@ -29,10 +30,12 @@ struct fluid_fill {
 };
 
 struct fluid_drive {
-    double body_force[3]; /* force/volume on the fluid: minus the mean gradient of pressure */
-    double pressure_drop; /* over the box along `axis`, pressure; NAN: not given */
-    double mass_flow;     /* along `axis`, mass/time; NAN: not given */
-    int axis;             /* 0, 1, 2 */
+    double body_force[3];      /* force/volume on the fluid: minus the mean gradient of pressure */
+    double pressure_drop;      /* over the box along `axis`, pressure; NAN: not given */
+    double mass_flow;          /* along `axis`, mass/time; NAN: not given */
+    int axis;                  /* 0, 1, 2 */
+    char table[FILE_PATH_MAX]; /* of time and factor; "": 1 */
+    bool repeat;               /* the table begins again after its last time */
 };
 
 /* What is given at an open side of the box. */

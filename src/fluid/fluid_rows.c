@@ -128,6 +128,11 @@ static const struct schema_row drive_rows[] = {
      .example = "2.771e-5"},
     {.key = "axis", .type = SCHEMA_NAME, .names = axis_names, .fallback = "x", AT(struct fluid_drive, axis),
      .help = "direction of pressure_drop and mass_flow, in which the box must be periodic"},
+    {.key = "table", .type = SCHEMA_PATH, AT(struct fluid_drive, table),
+     .help = "a table of time and of a factor of body_force or pressure_drop, a row a line, linear between rows; before the first and after "
+             "the last row their factors", .example = "pulse.txt"},
+    {.key = "repeat", .type = SCHEMA_BOOL, .fallback = "false", AT(struct fluid_drive, repeat),
+     .help = "the table begins again after its last row: a pulse"},
 };
 static const struct schema_table drive_table = TABLE(drive_rows);
 

@@ -39,6 +39,30 @@ static void add_extra(const struct weights *weights, size_t row, const double ex
     }
 }
 
+void forces_torque(const struct forces_part *part, const double lever[3], double torque[3]) {
+    double force[3];
+    for (int d = 0; d < 3; d++)
+        force[d] = part->viscous[d] + part->pressure[d];
+    for (int d = 0; d < 3; d++)
+        torque[d] = part->couple[d] + lever[(d + 1) % 3] * force[(d + 2) % 3] -
+                    lever[(d + 2) % 3] * force[(d + 1) % 3];
+}
+
+/* Adds the couple of the slip at one wall entry; `own` is u_i. */
+static void add_couple(const struct weights *weights, size_t entry, const struct weights_foot *foot,
+                       double strength, const double *own, double couple[3]) {
+    double slip[3] = {0}, b[3] = {0}, across = 0, part = weights->slip / (foot->distance + weights->slip);
+    for (int d = 0; d < weights->dimension; d++) {
+        b[d] = weights_vector(weights, entry)[d];
+        slip[d] = own[d] - foot->velocity[d];
+        across += slip[d] * foot->normal[d];
+    }
+    for (int d = 0; d < weights->dimension; d++)
+        slip[d] = part * (slip[d] - across * foot->normal[d]);
+    for (int d = 0; d < 3; d++)
+        couple[d] += strength * (b[(d + 1) % 3] * slip[(d + 2) % 3] - b[(d + 2) % 3] * slip[(d + 1) % 3]);
+}
+
 /* Adds the share of one wall entry. */
 static void add_entry(const struct flow *flow, size_t row, size_t entry, size_t wall, double viscosity,
                       struct forces_part *part) {
@@ -51,6 +75,9 @@ static void add_entry(const struct flow *flow, size_t row, size_t entry, size_t 
                             (difference[d] - weights_turn(weights, wall, d));
         part->pressure[d] += push * weights_vector(weights, entry)[d];
     }
+    if (weights->slip > 0 && !weights_foot_of(weights, wall)->open)
+        add_couple(weights, entry, weights_foot_of(weights, wall), 2 * volume * viscosity,
+                   flow_velocity_of(flow, row), part->couple);
 }
 
 void forces_feet(const struct flow *flow, double viscosity, struct forces_part *part) {

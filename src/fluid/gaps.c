@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* Narrow gaps: found, told, printed. Read gaps.h first. */
 #include "fluid/gaps.h"
+#include "grains/grains.h"
 #include "fluid/nodes.h"
 #include <math.h>
 
@@ -59,7 +60,7 @@ struct gaps gaps_find(const struct nodes *nodes, const struct physics_context *c
     for (size_t i = 0; i < nodes->grains; i++)
         look_from(&gaps, nodes, i, largest);
     for (int wall = 0; wall < context->scene->walls; wall++)
-        look_at_wall(&gaps, nodes, context->walls, wall);
+        look_at_wall(&gaps, nodes, grains_walls(context), wall);
     return gaps;
 }
 

@@ -5,7 +5,7 @@
 #include "fluid/body.h"
 #include "fluid/drag.h"
 #include "fluid/open.h"
-#include "integrate/groups.h"
+#include "particles/groups.h"
 #include "particles/fields.h"
 #include <stdio.h>
 
@@ -61,14 +61,19 @@ static const uint8_t *groups_share(const struct physics_context *context) {
     return group;
 }
 
+int given_number(const struct fluid_surface *surface, int surfaces, int64_t body, int group) {
+    if (body <= BODY_NONE)
+        return number_of_body(body, surface, surfaces);
+    return group >= 0 ? number_of_group(group, surface, surfaces) : -1;
+}
+
 void given_find(const struct physics_context *context, const struct weights *weights,
                 const struct fluid_surface *surface, int surfaces, int *number) {
     const uint8_t *group = groups_share(context);
     size_t *grain = NULL;
     drag_grains(&grain, context->particles, weights);
     for (size_t k = 0; k < weights->foot_start[weights->rows]; k++)
-        number[k] = grain[k] != SIZE_MAX && group != NULL
-                        ? number_of_group(group[grain[k]], surface, surfaces)
-                        : number_of_body(weights->foot[k].body, surface, surfaces);
+        number[k] = given_number(surface, surfaces, weights->foot[k].body,
+                                 grain[k] != SIZE_MAX && group != NULL ? group[grain[k]] : -1);
     memory_free(grain);
 }

@@ -16,4 +16,7 @@ bool given_suits(const struct physics_context *context, const char *key, const s
 void given_find(const struct physics_context *context, const struct weights *weights,
                 const struct fluid_surface *surface, int surfaces, int *number);
 
+/* The number in the list of a body (body.h), of a grain by its group (-1: none); -1: none. Any thread. */
+int given_number(const struct fluid_surface *surface, int surfaces, int64_t body, int group);
+
 #endif

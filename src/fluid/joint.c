@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* Generalised conjugate residuals over the velocities of grains. Read joint.h first. */
 #include "fluid/joint.h"
-#include "contact/spin.h"
+#include "particles/spin.h"
 #include "core/memory.h"
 #include "fluid/couple.h"
 #include "fluid/feet.h"

@@ -27,16 +27,15 @@ static double carry_of(const struct links *links, size_t entry) {
 }
 
 /* K + a of an entry: its diffusion. */
-static double diffusion_of(const struct links *links, size_t row, size_t entry) {
-    const struct weights *weights = links->weights;
-    double k = links->diffusivity * weights_scalar(weights, entry);
-    if (links->share != NULL && entry < weights_walls(weights, row))
-        k *= 0.5 * (links->share[weights->first + row] + links->share[pair_partner(weights->partner[entry])]);
+static double diffusion_of(const struct links *links, size_t entry) {
+    double k = links->diffusivity * weights_scalar(links->weights, entry);
+    if (links->share != NULL)
+        k *= links->share[entry];
     return links->upwind ? k + fabs(carry_of(links, entry)) : k;
 }
 
-static double link_of(const struct links *links, size_t row, size_t entry) {
-    return diffusion_of(links, row, entry) - carry_of(links, entry);
+static double link_of(const struct links *links, size_t entry) {
+    return diffusion_of(links, entry) - carry_of(links, entry);
 }
 
 void links_matrix(const struct links *links, double factor, const double *diagonal,
@@ -50,13 +49,13 @@ void links_matrix(const struct links *links, double factor, const double *diagon
         memset(value + assembly->start[row], 0,
                (size_t)(assembly->start[row + 1] - assembly->start[row]) * sizeof *value);
         for (; e < weights_walls(weights, row); e++) {
-            double k = factor * link_of(links, row, e);
+            double k = factor * link_of(links, e);
             value[assembly->place[e]] -= k;
             sum += k;
         }
         for (size_t w = weights->wall_start[row]; w < weights->wall_start[row + 1]; w++, e++) {
             struct beyond beyond = beyond_of(links, w);
-            double k = factor * link_of(links, row, e);
+            double k = factor * link_of(links, e);
             sum += k * beyond.own;
             if (beyond.image != 0)
                 value[assembly->place[e]] -= k * beyond.image;
@@ -72,7 +71,7 @@ void links_side(const struct links *links, double factor, double *side) {
         size_t e = weights_walls(weights, row);
         side[row] = 0;
         for (size_t w = weights->wall_start[row]; w < weights->wall_start[row + 1]; w++, e++)
-            side[row] += factor * link_of(links, row, e) * beyond_of(links, w).constant;
+            side[row] += factor * link_of(links, e) * beyond_of(links, w).constant;
     }
 }
 
@@ -90,18 +89,18 @@ void links_apply(const struct links *links, const double *value, double *out) {
         double own = value[weights->first + row], sum = 0;
         size_t e = weights->start[row];
         for (; e < weights_walls(weights, row); e++)
-            sum += link_of(links, row, e) * (value[pair_partner(weights->partner[e])] - own);
+            sum += link_of(links, e) * (value[pair_partner(weights->partner[e])] - own);
         for (size_t w = weights->wall_start[row]; w < weights->wall_start[row + 1]; w++, e++)
-            sum += link_of(links, row, e) * step_beyond(links, w, value, own);
+            sum += link_of(links, e) * step_beyond(links, w, value, own);
         out[row] = sum;
     }
 }
 
 /* Adds what an entry carries away, F_ij times its way. */
-static void add_flux(const struct links *links, size_t row, size_t entry, const double values[2],
-                     const double way[3], double flux[3]) {
+static void add_flux(const struct links *links, size_t entry, const double values[2], const double way[3],
+                     double flux[3]) {
     double give = 2 * carry_of(links, entry) * 0.5 * (values[0] + values[1]) -
-                  diffusion_of(links, row, entry) * (values[1] - values[0]);
+                  diffusion_of(links, entry) * (values[1] - values[0]);
     for (int d = 0; d < 3; d++)
         flux[d] += give * way[d];
 }
@@ -117,49 +116,13 @@ void links_flux(const struct links *links, const double *value, double (*out)[3]
             weights_apart(weights, links->input, row, e, way);
             for (int d = 0; d < 3; d++)
                 way[d] *= 0.5;
-            add_flux(links, row, e, (double[2]){own, value[pair_partner(weights->partner[e])]}, way,
-                     out[row]);
+            add_flux(links, e, (double[2]){own, value[pair_partner(weights->partner[e])]}, way, out[row]);
         }
         for (size_t w = weights->wall_start[row]; w < weights->wall_start[row + 1]; w++, e++) {
             const struct weights_foot *foot = weights_foot_of(weights, w);
             for (int d = 0; d < 3; d++)
                 way[d] = -foot->distance * foot->normal[d];
-            add_flux(links, row, e, (double[2]){own, own + step_beyond(links, w, value, own)}, way, out[row]);
+            add_flux(links, e, (double[2]){own, own + step_beyond(links, w, value, own)}, way, out[row]);
         }
-    }
-}
-
-/* The nearest foot of a row without flux; NULL: none. */
-static const struct weights_foot *closed_foot(const struct links *links, size_t row) {
-    const struct weights *weights = links->weights;
-    const struct weights_foot *nearest = NULL;
-    for (size_t k = weights->foot_start[row]; k < weights->foot_start[row + 1]; k++)
-        if (isnan(links->given[k]) && !weights->foot[k].open &&
-            (nearest == NULL || weights->foot[k].distance < nearest->distance))
-            nearest = &weights->foot[k];
-    return nearest;
-}
-
-void links_share(const struct links *links, double *share) {
-    const struct weights *weights = links->weights;
-#pragma omp parallel for schedule(static)
-    for (size_t row = 0; row < weights->rows; row++) {
-        const struct weights_foot *foot = closed_foot(links, row);
-        size_t walls = weights_walls(weights, row), w = weights->wall_start[row];
-        double sum = 0, apart[3];
-        share[row] = 1;
-        for (size_t e = weights->start[row]; foot != NULL && e < weights->start[row + 1]; e++) {
-            if (e >= walls && isnan(links->given[weights->wall_foot[w++]]))
-                continue;
-            double square = 0, across = 0;
-            weights_apart(weights, links->input, row, e, apart);
-            for (int d = 0; d < weights->dimension; d++) {
-                across += apart[d] * foot->normal[d];
-                square += apart[d] * apart[d];
-            }
-            sum += 0.5 * weights_scalar(weights, e) * (square - across * across);
-        }
-        if (foot != NULL)
-            share[row] = fmax(1, fmin(LINKS_SHARE_MOST, (weights->dimension - 1) / fmax(sum, 1e-300)));
     }
 }

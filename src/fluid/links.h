@@ -8,16 +8,11 @@
  *
  * With upwind differences K = D w_ij - a_ij + |a_ij|, which is never negative on a lattice.
  *
- * A wall neighbour without flux drops out, and with it what it should bring of changes along the wall: the diffusivity along the wall
- * would be too small in the rows beside it, an error of first order. So w_ij stands for w_ij (s_i + s_j) / 2, with shares s_i = (dimension - 1) /
- * (sum over the other entries of w_ij |t|^2 / 2), t the part of x_j - x_i along the wall, at most LINKS_SHARE_MOST: the sum over a section
- * is then right, and K symmetric. Across the wall nothing of first order changes, as there is no flux. */
+ * A wall neighbour without flux drops out; shares.h has the shares k_ij that make up for it, with w_ij k_ij in place of w_ij. */
 #ifndef SCREE_FLUID_LINKS_H
 #define SCREE_FLUID_LINKS_H
 
 #include "fluid/assembly.h"
-
-#define LINKS_SHARE_MOST 2.0
 
 /* All borrowed. */
 struct links {
@@ -27,8 +22,8 @@ struct links {
     bool upwind;
     const double *given;               /* by foot: the value there; NAN: none */
     const double *slope;               /* by foot, where no value is given; NULL: 0 */
-    const double *share;               /* by particle number, copies too: s_i; NULL: 1 */
-    const struct weights_input *input; /* of the weights: for links_share and links_flux alone */
+    const double *share;               /* by entry: k_ij (shares.h); NULL: 1 */
+    const struct weights_input *input; /* of the weights: for links_flux alone */
 };
 
 /* Values of the assembly: those of diagonal c - factor sum over j of K_ij (c_j - c_i), without what is given. `diagonal` is by
@@ -44,8 +39,5 @@ void links_apply(const struct links *links, const double *value, double *out);
 
 /* out[row] = the flux density u c - D grad c of the same values: sum over j of F_ij (x_j - x_i) / 2, F_ij what i gives to j. */
 void links_flux(const struct links *links, const double *value, double (*out)[3]);
-
-/* share[row] = s_i. */
-void links_share(const struct links *links, double *share);
 
 #endif

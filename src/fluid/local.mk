@@ -48,6 +48,8 @@ libfluid_la_SOURCES = \
 	src/fluid/joint.c src/fluid/joint.h \
 	src/fluid/kernel.c \
 	src/fluid/kernel.h \
+	src/fluid/layer.c \
+	src/fluid/layer.h \
 	src/fluid/links.c \
 	src/fluid/links.h \
 	src/fluid/look.c \
@@ -96,6 +98,8 @@ libfluid_la_SOURCES = \
 	src/fluid/scalars_rows.h \
 	src/fluid/schur.c \
 	src/fluid/schur.h \
+	src/fluid/shares.c \
+	src/fluid/shares.h \
 	src/fluid/shift.c \
 	src/fluid/shift.h \
 	src/fluid/shown.c \

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* From rebuilds and steps of the engine to the flow: weights, matrices, steps. Read march.h and flow.h first. */
 #include "fluid/march.h"
+#include "grains/grains.h"
 #include "core/checksum.h"
 #include "core/memory.h"
 #include "fluid/couple.h"
@@ -14,6 +15,7 @@
 #include "fluid/joint.h"
 #include "fluid/look.h"
 #include "fluid/loss.h"
+#include "fluid/mirror.h"
 #include "fluid/motion.h"
 #include "fluid/path.h"
 #include "fluid/ride.h"
@@ -138,8 +140,6 @@ void march_rebuilt(const struct physics_context *context) {
         electrolyte_forget(fluid->electrolyte);
         input_of(context, fluid);
         weights_of(context, fluid);
-        if (!motion_moves(fluid->options) && !dust_any(fluid->options))
-            pair_rows_free(&fluid->pairs);
         fluid->regions = regions_of(context, fluid);
     } else if (dust_any(fluid->options)) {
         pair_rows_build(&fluid->pairs, context->list[0], context->particles->owned);
@@ -154,10 +154,15 @@ void march_rebuilt(const struct physics_context *context) {
         flow_forward(&fluid->flow, FLOW_WHOLE);
     if (dust_any(fluid->options) && context->clock->step == 0)
         dust_look(context); /* the first limit of a step reads what grains see */
-    if (changed)
+    if (changed) {
         flow_number(&fluid->flow);
-    else
+        scalars_rebuilt(context);
+        electrolyte_rebuilt(context);
+    } else {
         flow_forward(&fluid->flow, FLOW_ROW);
+    }
+    if (!motion_moves(fluid->options) && !dust_any(fluid->options))
+        pair_rows_free(&fluid->pairs);
     /* points move from the start; particles without a shift yet have no drift */
     if (fluid->options->motion.name == FLUID_ALE && fluid->past.steps == 0 &&
         context->clock->step == fluid->done)
@@ -219,7 +224,9 @@ static void step_transient(const struct physics_context *context, struct fluid *
     if (old && fluid->renew)
         projection_renew(fluid->projection);
     fluid->renew = false;
-    drive_adjust(&fluid->drive, options, context->box, &fluid->flow, dt);
+    /* the scheme of particles at rest has the force of the middle of a step, the other one that of its end */
+    drive_adjust(&fluid->drive, options, context->box, &fluid->flow,
+                 context->clock->time - (moves ? 0 : 0.5 * dt), dt);
     if (!moves)
         projection_step(fluid->projection, &fluid->flow, &fluid->past, dt, fluid->drive.force, &fluid->error);
     else
@@ -257,29 +264,30 @@ static void walls_check(const struct physics_context *context, struct fluid *flu
             "themselves, as a lid does");
 }
 
-/* Walls that slide within themselves have new velocities. */
+/* Walls that slide within themselves have new velocities and spins. */
 static void walls_follow(const struct physics_context *context, struct fluid *fluid) {
-    const struct weights *weights = &fluid->weights;
+    struct weights *weights = &fluid->weights;
+    const struct feet feet = {grains_walls(context), fluid->options, context->box};
     const double same = 1e-6 * fluid->options->spacing;
     size_t moved = 0;
-    if (context->walls == NULL || !walls_move(context->walls))
+    if (grains_walls(context) == NULL || !walls_move(grains_walls(context)))
         return;
 #pragma omp parallel for schedule(static) reduction(+ : moved)
     for (size_t row = 0; row < weights->rows; row++)
         for (size_t k = weights->foot_start[row]; k < weights->foot_start[row + 1]; k++) {
             struct weights_foot *foot = &weights->foot[k];
-            struct wall_foot now;
+            struct weights_foot now = {0};
             double across = 0;
             if (foot->body >= 0 || body_side(foot->body) >= 0)
                 continue;
-            walls_foot(context->walls, body_wall(foot->body),
-                       context->particles->state[weights->first + row].x,
-                       feet_reach(fluid->options, context->box), &now);
+            feet_on(&feet, foot->body, context->particles->state[weights->first + row].x, &now);
             for (int d = 0; d < 3; d++)
                 across += now.normal[d] * now.velocity[d] * context->clock->dt;
             moved += fabs(across) > same;
             memcpy(foot->velocity, now.velocity, sizeof foot->velocity);
+            memcpy(foot->spin, now.spin, sizeof foot->spin);
         }
+    mirror_turn(weights, &fluid->input);
     walls_check(context, fluid, (double)moved);
 }
 
@@ -303,18 +311,14 @@ static void check_speed(const struct physics_context *context, struct fluid *flu
             &fluid->error, ERROR_PHYSICS,
             "fluid: the fluid moves by %.3g spacings in step %llu, t = %.9g; advection wants %g or less: "
             "shorten step.dt (or step.force: true)%s",
-            moved, (unsigned long long)clock->step, clock->time, COURANT,
-            couple_free(fluid->options)
-                ? "; where grains close pockets of fluid between them no step is short enough "
-                  "(docs/fluid.md, Limits)"
-                : "");
+            moved, (unsigned long long)clock->step, clock->time, COURANT, couple_pockets(fluid->options));
 }
 
 static void step_run(const struct physics_context *context, struct fluid *fluid) {
     if (motion_moves(fluid->options) && fluid->placed != context->clock->step)
         weights_of(context, fluid);
-    if (motion_moves(fluid->options) && context->walls != NULL && walls_move(context->walls))
-        walls_at_end(context->walls, context->clock->time,
+    if (motion_moves(fluid->options) && grains_walls(context) != NULL && walls_move(grains_walls(context)))
+        walls_at_end(grains_walls(context), context->clock->time,
                      context->clock->dt); /* the scheme stands at the end of the step */
     walls_follow(context, fluid);
     if (fluid->error.kind != ERROR_NONE || !watch_begin(context))
@@ -376,6 +380,7 @@ void march_end(void *self) {
         if (fluid->first && unused[0])
             log_tell(fluid->log, "warning: fluid.solver.petsc: PETSc knows nothing to do with %s", unused);
     }
+    drive_free(&fluid->drive);
     weights_free(&fluid->weights);
     pair_rows_free(&fluid->pairs);
     forces_free(&fluid->forces);

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* Marks of meshes and open sides. Read marks.h first. */
 #include "fluid/marks.h"
+#include "grains/grains.h"
 #include "core/memory.h"
 #include "fluid/body.h"
 #include <math.h>
@@ -76,7 +77,7 @@ void marks_make(struct nodes *nodes, const struct physics_context *context) {
     const struct fluid_options *options = context->options;
     for (int w = 0; w < context->scene->walls; w++)
         if (wall_shape_meshed(context->scene->wall[w].shape))
-            mesh_mark(nodes, context->walls, w);
+            mesh_mark(nodes, grains_walls(context), w);
     for (int k = 0; k < options->opens; k++)
         side_mark(nodes, options->open[k].side);
 }

@@ -187,43 +187,24 @@ static void images_make(const struct build *build) {
     }
 }
 
-/* The spin of a grain among the pairs of particle i; NULL: the body is none of them. */
-static const double *spin_among(const struct build *build, size_t i, int64_t body) {
-    const struct weights_input *rows = build->input->rows;
-    for (size_t e = rows->pairs->start[i]; e < rows->pairs->start[i + 1]; e++) {
-        size_t j = pair_partner(rows->pairs->partner[e]);
-        if (rows->kind[j] == KIND_GRAIN && rows->particles->id[j] == body)
-            return build->input->spin[j];
-    }
-    return NULL;
-}
-
-static void row_turn(const struct build *build, size_t row) {
-    const struct weights *weights = build->weights;
-    size_t e = weights_walls(weights, row), i = weights->first + row;
+static void row_turn(struct weights *weights, const struct weights_input *rows, size_t row) {
+    size_t e = weights_walls(weights, row);
     for (size_t k = weights->wall_start[row]; k < weights->wall_start[row + 1]; k++, e++) {
-        int64_t body = weights_foot_of(weights, k)->body;
-        const double *w = body > 0 ? spin_among(build, i, body) : NULL;
+        const double *w = weights_foot_of(weights, k)->spin;
         double to[3], *turn = weights->turn[k];
-        separation(build, i, weights->partner[e], to);
+        weights_apart(weights, rows, row, e, to);
         for (int d = 0; d < 3; d++)
-            turn[d] = w != NULL ? w[(d + 1) % 3] * to[(d + 2) % 3] - w[(d + 2) % 3] * to[(d + 1) % 3] : 0;
+            turn[d] = w[(d + 1) % 3] * to[(d + 2) % 3] - w[(d + 2) % 3] * to[(d + 1) % 3];
     }
 }
 
-static bool some_turn(const struct mirror_input *input) {
-    const struct weights_input *rows = input->rows;
+void mirror_turn(struct weights *weights, const struct weights_input *rows) {
     bool some = false;
-    for (size_t k = 0; input->spin && rows->kind && k < rows->particles->owned + rows->particles->ghosts; k++)
-        some = some || (rows->kind[k] == KIND_GRAIN &&
-                        (input->spin[k][0] != 0 || input->spin[k][1] != 0 || input->spin[k][2] != 0));
-    return some;
-}
-
-/* What turning grains add at their wall entries. */
-static void turns_make(const struct build *build) {
-    struct weights *weights = build->weights;
-    if (!some_turn(build->input)) {
+    for (size_t k = 0; k < weights->foot_start[weights->rows]; k++) {
+        const double *w = weights->foot[k].spin;
+        some = some || w[0] != 0 || w[1] != 0 || w[2] != 0;
+    }
+    if (!some) {
         memory_free(weights->turn);
         weights->turn = NULL;
         return;
@@ -232,7 +213,7 @@ static void turns_make(const struct build *build) {
         memory_resize(weights->turn, weights->wall_start[weights->rows], sizeof *weights->turn, "weights");
 #pragma omp parallel for schedule(static)
     for (size_t row = 0; row < weights->rows; row++)
-        row_turn(build, row);
+        row_turn(weights, rows, row);
 }
 
 size_t mirror_make(struct weights *weights, const struct mirror_input *input) {
@@ -259,6 +240,6 @@ size_t mirror_make(struct weights *weights, const struct mirror_input *input) {
         weights->opens += weights->foot[k].open;
     if (weights->opens > 0)
         images_make(&build);
-    turns_make(&build);
+    mirror_turn(weights, input->rows);
     return lost;
 }

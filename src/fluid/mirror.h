@@ -12,8 +12,8 @@ struct mirror_input {
     const int64_t *body;              /* of boundary particles, by particle number */
     const double (*spin)[4];          /* angular velocities, by particle number; NULL: none */
     double spacing, support;
-    /* The foot of a place on a wall or an open side, by its number as a body (body.h); NULL: none of both. Any
-     * thread. */
+    /* The foot of a place on a wall or an open side, by its number as a body (body.h), with velocity and spin; NULL: none of
+     * both. Any thread. */
     void (*wall)(const void *context, int64_t body, const double x[3], struct weights_foot *foot);
     const void *context;
 };
@@ -25,5 +25,8 @@ struct mirror_input {
 /* Fills mirror, wall_foot, foot, foot_start, opens, image and behind of weights that weights_make has made. Returns the number of
  * bodies within the support of a row whose grain was not found (a mistake of the program). Opens its own team. */
 size_t mirror_make(struct weights *weights, const struct mirror_input *input);
+
+/* Makes `turn` of the spins of the feet, once more where these have changed. Opens its own team. */
+void mirror_turn(struct weights *weights, const struct weights_input *rows);
 
 #endif

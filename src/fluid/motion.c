@@ -65,19 +65,20 @@ static void velocity_of(const struct physics_context *context, size_t i, double 
     motion_given(motion, context->box, middle, start + 0.5 * dt, w);
 }
 
-void motion_move(const struct physics_context *context, int thread, size_t first, size_t last,
-                 int size_class) {
+double motion_move(const struct physics_context *context, int thread, size_t first, size_t last,
+                   int size_class) {
     struct fluid *fluid = context->self;
     double dt = couple_dt(context), ahead = fluid->past.steps > 0 ? 0.5 * dt / fluid->past.dt : 0;
-    double *largest = &context->speed[thread][size_class], steps = (double)couple_every(context);
+    double largest = 0, steps = (double)couple_every(context);
+    (void)thread;
     if (!couple_due(context))
-        return;
+        return 0;
 #pragma omp atomic write
     fluid->followed = context->clock->step;
     if (context->classes->kind[size_class] == KIND_BOUNDARY && fluid->riding)
-        ride_move(context, thread, first, last, size_class);
+        largest = ride_move(context, first, last);
     if (context->classes->kind[size_class] != KIND_FLUID)
-        return;
+        return largest;
     for (size_t i = first; i < last; i++) {
         double w[3], square = 0;
         velocity_of(context, i, ahead, w);
@@ -85,9 +86,10 @@ void motion_move(const struct physics_context *context, int thread, size_t first
             context->particles->state[i].x[d] += dt * w[d];
             square += steps * steps * w[d] * w[d];
         }
-        if (!isnan(*largest) && !(square <= *largest))
-            *largest = square;
+        if (!isnan(largest) && !(square <= largest))
+            largest = square;
     }
+    return largest;
 }
 
 /* The drift of points with a given velocity. */

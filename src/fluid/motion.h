@@ -25,8 +25,8 @@ void motion_given(const struct fluid_motion *motion, const struct box *box, cons
                   double w[3]);
 
 /* The pass that moves fluid particles, and boundary particles that ride: as `rows` of struct physics_pass. */
-void motion_move(const struct physics_context *context, int thread, size_t first, size_t last,
-                 int size_class);
+double motion_move(const struct physics_context *context, int thread, size_t first, size_t last,
+                   int size_class);
 
 /* After a step: the drift of the particles, and the advection by it. `speed` is the largest of the fluid. */
 void motion_drift(const struct physics_context *context, double speed);

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* The nodes of the lattice: where they are, and what each is. Read nodes.h first. */
 #include "fluid/nodes.h"
+#include "grains/grains.h"
 #include "core/memory.h"
 #include "core/random.h"
 #include "fluid/dust.h"
@@ -322,7 +323,7 @@ bool nodes_make(struct nodes *nodes, const struct physics_context *context, stru
         grain_mark(nodes, (int32_t)k);
     for (int w = 0; w < context->scene->walls; w++)
         if (!wall_shape_meshed(context->scene->wall[w].shape))
-            wall_mark(nodes, context->walls, w);
+            wall_mark(nodes, grains_walls(context), w);
     return true;
 }
 

@@ -36,7 +36,7 @@ static double range(const void *context, int kind_a, double radius_a, int kind_b
 static void *create(const struct physics_context *context) {
     struct fluid *fluid = memory_allocate_zero(1, sizeof *fluid, "fluid");
     fluid->options = context->options;
-    fluid->drive = drive_begin(fluid->options, context->box);
+    fluid->drive = drive_begin(fluid->options, context->box, &fluid->error);
     fluid->support = fluid_support(fluid->options, context->box->dimension);
     fluid->lattice = arrangement_make(fluid->options, context->box);
     if (fluid->options->fill.jitter > 0 || motion_moves(fluid->options))
@@ -142,8 +142,8 @@ static void restart(const struct physics_context *context, struct restart *list)
     restart_add(list, RESTART_INTEGER, true, &fluid->solved, "fluid: the steady flow is there");
 }
 
-static double work(const struct physics_context *context) {
-    return ((const struct fluid *)context->self)->work;
+static void energy(const struct physics_context *context, struct physics_energy *energy) {
+    energy->work = ((const struct fluid *)context->self)->work;
 }
 
 /* Particles at rest have their weights from the first rebuild. */
@@ -196,26 +196,29 @@ static const struct timer_stage stages[] = {
     {.name = "preconditioner", .help = "preconditioners of these matrices made", .use = TIMER_WORK},
     {.name = "solve", .help = "solves for velocity and pressure of a fluid", .use = TIMER_WORK}};
 
+static const struct physics_maker maker = {.moving = motion_kinds, .fill = fill_run};
+static const struct physics_shown shown = {
+    .stages = sizeof stages / sizeof stages[0], .stage = stages, .report = watch_report};
+
+static const struct physics_search search = {.interactions = 1,
+                                             .interaction = {{.name = "fluid", .range = range}},
+                                             .range_of_self = true,
+                                             .rests = rests};
+static const struct physics_limit limits = {
+    .of = march_limit, .why = "advection: the fluid may move by half a spacing in a step"};
+
 const struct physics fluid_physics = {.name = "fluid",
-                                      .interactions = 1,
-                                      .interaction = {{.name = "fluid", .range = range}},
-                                      .range_of_self = true,
                                       .passes = sizeof passes / sizeof passes[0],
                                       .pass = passes,
-                                      .stage = stages,
-                                      .stages = sizeof stages / sizeof stages[0],
                                       .check = fill_suits,
                                       .create = create,
                                       .destroy = march_end,
-                                      .moving = motion_kinds,
-                                      .fill = fill_run,
                                       .rebuilt = march_rebuilt,
-                                      .rests = rests,
-                                      .limit = march_limit,
-                                      .limit_why =
-                                          "advection: the fluid may move by half a spacing in a step",
                                       .guard = guard,
                                       .print = print,
-                                      .work = work,
-                                      .solvers = watch_solvers,
-                                      .restart = restart};
+                                      .energy = energy,
+                                      .restart = restart,
+                                      .maker = &maker,
+                                      .shown = &shown,
+                                      .search = &search,
+                                      .limit = &limits};

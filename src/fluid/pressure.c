@@ -9,7 +9,10 @@ bool pressure_make(struct pressure *pressure, struct solve *solve, struct assemb
     const struct weights *weights = flow->weights;
     struct solve_options own = *options;
     own.pin = flow->pressed ? 0 : own.pin;
-    assembly_pressure(assembly, weights, pressure->whole);
+    if (pressure->share != NULL)
+        assembly_shared(assembly, weights, pressure->share);
+    else
+        assembly_pressure(assembly, weights, pressure->whole);
     struct solve_rows rows = assembly_rows(assembly);
     pressure->side = memory_allocate(weights->rows, sizeof(double), "pressure");
     pressure->solution = memory_allocate_zero(weights->rows, sizeof(double), "pressure");

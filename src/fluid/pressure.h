@@ -8,6 +8,8 @@
 
 struct pressure {
     bool whole; /* with c of whole.h where the weights have it; set before pressure_make, and kept */
+    const double *
+        share; /* instead: by entry, factors of w_ij (shares.h); set before pressure_make, and borrowed till then; NULL: none */
     struct solve_system *system;
     double *side, *solution; /* [rows] */
 };

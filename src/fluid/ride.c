@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* Carries boundary particles along with their grains. Read ride.h first. */
 #include "fluid/ride.h"
-#include "contact/spin.h"
+#include "particles/spin.h"
 #include "fluid/couple.h"
 #include "fluid/fields.h"
 #include "fluid/flow_fields.h"
@@ -45,11 +45,11 @@ static const double *spin_at(const struct particles *particles, size_t i) {
     return spin ? spin[i] : none;
 }
 
-void ride_move(const struct physics_context *context, int thread, size_t first, size_t last, int size_class) {
+double ride_move(const struct physics_context *context, size_t first, size_t last) {
     struct particles *p = context->particles;
     const int64_t *body = fluid_body(p);
     double(*arm)[3] = fluid_arm(p), dt = couple_dt(context);
-    double *largest = &context->speed[thread][size_class];
+    double largest = 0;
     for (size_t i = first; i < last; i++) {
         double before[3], surface[3], square = 0;
         if (body[i] <= 0)
@@ -62,9 +62,10 @@ void ride_move(const struct physics_context *context, int thread, size_t first, 
             p->state[i].x[d] += moved;
             square += moved * moved / (context->clock->dt * context->clock->dt);
         }
-        if (!isnan(*largest) && !(square <= *largest))
-            *largest = square;
+        if (!isnan(largest) && !(square <= largest))
+            largest = square;
     }
+    return largest;
 }
 
 /* The grain of a boundary particle: its number; `centre` becomes the place of its image nearest to the particle. SIZE_MAX: not among

@@ -12,8 +12,8 @@
 /* True if there may be grains that move in the fluid. */
 bool ride_wanted(const struct physics_context *context);
 
-/* The drift of boundary particles: as `rows` of struct physics_pass, for a class of them. */
-void ride_move(const struct physics_context *context, int thread, size_t first, size_t last, int size_class);
+/* The drift of boundary particles: as `rows` of struct physics_pass, for [first, last) of a class of them. */
+double ride_move(const struct physics_context *context, size_t first, size_t last);
 
 /* In a step of the fluid gives the boundary particles of grains their places, velocities and spins, in the copies too. In any step a particle that has no arm
  * yet gets it. Returns the number of this rank's particles whose grain was not found. Collective. */

@@ -10,6 +10,7 @@
 #include "fluid/motion.h"
 #include "fluid/residual.h"
 #include "fluid/scalars_fields.h"
+#include "fluid/shares.h"
 #include "particles/fields.h"
 #include <math.h>
 #include <stdio.h>
@@ -26,7 +27,7 @@ struct scalar {
     struct solve_system *system; /* NULL: not made yet */
     double factor;               /* g dt of its values; NAN: none */
     double *given;               /* by foot: the value there; NAN: none */
-    double *share;               /* by particle number: of links.h */
+    double *share;               /* by entry (shares.h) */
     double (*flux)[3];           /* by row, of the last look; NULL: none yet */
 };
 
@@ -125,46 +126,33 @@ static struct links links_of(const struct fluid *fluid, int k) {
                           .input = &fluid->input};
 }
 
-/* The values that are given at the feet. */
-static void given_make(const struct physics_context *context, const struct fluid_scalar *options,
-                       double **given) {
+/* What is given at the feet of scalar k, and the shares beside the others. */
+static void surface_make(const struct physics_context *context, int k) {
     const struct fluid *fluid = context->self;
+    const struct fluid_scalar *options = &fluid->options->scalar[k];
+    struct scalar *scalar = &fluid->scalars->scalar[k];
     size_t feet = fluid->weights.foot_start[fluid->weights.rows];
     struct fluid_surface surface[FLUID_SURFACES_MAX];
     int *number = memory_allocate(feet, sizeof *number, "scalars of a fluid");
     for (int g = 0; g < options->givens; g++)
         surface[g] = options->given[g].at;
     given_find(context, &fluid->weights, surface, options->givens, number);
-    *given = memory_resize(*given, feet, sizeof **given, "scalars of a fluid");
-    for (size_t k = 0; k < feet; k++)
-        (*given)[k] = number[k] >= 0 ? options->given[number[k]].value : NAN;
+    scalar->given = memory_resize(scalar->given, feet, sizeof *scalar->given, "scalars of a fluid");
+    for (size_t foot = 0; foot < feet; foot++)
+        scalar->given[foot] = number[foot] >= 0 ? options->given[number[foot]].value : NAN;
     memory_free(number);
+    memory_free(scalar->share);
+    scalar->share = shares_make(context, surface, options->givens, scalar->given);
 }
 
-/* The shares of scalar k, by way of an array whose copies can be brought up to date. */
-static void share_make(const struct physics_context *context, int k) {
-    struct fluid *fluid = context->self;
-    const struct particles *p = context->particles;
-    struct scalar *scalar = &fluid->scalars->scalar[k];
-    struct links links = links_of(fluid, k);
-    size_t all = p->owned + p->ghosts;
-    links_share(&links, fluid->flow.increment + fluid->weights.first);
-    flow_forward(&fluid->flow, FLOW_INCREMENT);
-    scalar->share = memory_resize(scalar->share, all, sizeof *scalar->share, "scalars of a fluid");
-    memcpy(scalar->share, fluid->flow.increment, all * sizeof *scalar->share);
-}
-
-/* Values that are given, and shares. */
-static void surfaces_make(const struct physics_context *context) {
+void scalars_rebuilt(const struct physics_context *context) {
     const struct fluid *fluid = context->self;
-    for (int k = 0; k < fluid->scalars->options->scalars; k++) {
-        given_make(context, &fluid->options->scalar[k], &fluid->scalars->scalar[k].given);
-        share_make(context, k);
-    }
+    for (int k = 0; fluid->scalars != NULL && k < fluid->scalars->options->scalars; k++)
+        surface_make(context, k);
 }
 
 /* What does not change with the step. */
-static bool prepare(const struct physics_context *context, struct fluid *fluid) {
+static bool prepare(struct fluid *fluid) {
     struct scalars *scalars = fluid->scalars;
     if (scalars->made)
         return true;
@@ -173,7 +161,6 @@ static bool prepare(const struct physics_context *context, struct fluid *fluid) 
         return false;
     scalars->side = memory_allocate(rows, sizeof(double), "scalars of a fluid");
     scalars->solution = memory_allocate(rows, sizeof(double), "scalars of a fluid");
-    surfaces_make(context);
     scalars->made = true;
     return true;
 }
@@ -231,7 +218,7 @@ void scalars_step(const struct physics_context *context, bool flows) {
     struct fluid *fluid = context->self;
     struct scalars *scalars = fluid->scalars;
     double dt = couple_dt(context), r = scalars->steps > 0 ? dt / scalars->dt : 0;
-    if (!prepare(context, fluid))
+    if (!prepare(fluid))
         return;
     if (flows || scalars->fluxes.carry == NULL) {
         if (!fluxes_make(&scalars->fluxes, fluid->solve, &scalars->assembly, &fluid->flow, fluid->volume > 0,
@@ -251,8 +238,6 @@ void scalars_look(const struct physics_context *context) {
     struct fluid *fluid = context->self;
     struct scalars *scalars = fluid->scalars;
     size_t rows = fluid->weights.rows;
-    if (!scalars->made) /* an output of the start */
-        surfaces_make(context);
     for (int k = 0; k < scalars->options->scalars; k++) {
         struct scalar *scalar = &scalars->scalar[k];
         struct links links = links_of(fluid, k);

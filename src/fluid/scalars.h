@@ -31,6 +31,9 @@ void scalars_begin(const struct physics_context *context, size_t i);
 /* The particles, or their order, are others: matrices and fluxes are made again. */
 void scalars_forget(struct scalars *scalars);
 
+/* After scalars_forget and a rebuild, while the fluid has its pairs: what surfaces are to the scalars. Collective. */
+void scalars_rebuilt(const struct physics_context *context);
+
 /* A step of all scalars to the end of the step of the clock, after that of the flow; `flows`: the flow has changed.
  * An error goes to fluid->error. Collective. */
 void scalars_step(const struct physics_context *context, bool flows);

@@ -3,19 +3,18 @@
 #include "fluid/body.h"
 #include "fluid/shown.h"
 #include "fluid/state.h"
-#include "integrate/groups.h"
+#include "particles/groups.h"
 
 /* Adds a foot's share: force, viscous part, pressure part, and the torque with a lever. */
 static void add_foot(const struct forces_part *foot, const double lever[3], double *part) {
-    double force[3];
+    double torque[3];
+    forces_torque(foot, lever, torque);
     for (int d = 0; d < 3; d++) {
-        force[d] = foot->viscous[d] + foot->pressure[d];
-        part[d] += force[d];
+        part[d] += foot->viscous[d] + foot->pressure[d];
         part[3 + d] += foot->viscous[d];
         part[6 + d] += foot->pressure[d];
+        part[9 + d] += torque[d];
     }
-    for (int d = 0; d < 3; d++)
-        part[9 + d] += lever[(d + 1) % 3] * force[(d + 2) % 3] - lever[(d + 2) % 3] * force[(d + 1) % 3];
 }
 
 /* The feet of one row on the body of the item. */

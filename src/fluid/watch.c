@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* The solvers of a fluid under a run's eyes. Read watch.h first. */
 #include "fluid/watch.h"
+#include "fluid/couple.h"
 #include "fluid/state.h"
 #include <stdio.h>
 #include <string.h>
@@ -26,13 +27,14 @@ bool watch_begin(const struct physics_context *context) {
     return fluid->solve != NULL;
 }
 
-/* Adds step and time to the error of a solver. */
+/* Adds step and time to the error of a solver, and what else may stop a flow around grains that it moves. */
 static void name_step(const struct physics_context *context, struct error *error) {
     char text[ERROR_TEXT_MAX];
     snprintf(text, sizeof text, "%s", error->text);
     *error = (struct error){0};
-    error_set(error, ERROR_PHYSICS, "%s (step %llu, t = %.9g)", text,
-              (unsigned long long)context->clock->step, context->clock->time);
+    error_set(error, ERROR_PHYSICS, "%s (step %llu, t = %.9g)%s", text,
+              (unsigned long long)context->clock->step, context->clock->time,
+              couple_pockets(context->options));
 }
 
 static void doubt(const struct physics_context *context, int system) {
@@ -69,9 +71,8 @@ void watch_step(const struct physics_context *context) {
     fluid->doubtful = doubtful;
 }
 
-int watch_solvers(const struct physics_context *context, struct report_solver *solver) {
+void watch_report(const struct physics_context *context, struct report *all) {
     const struct fluid *fluid = context->self;
-    int count = 0;
     for (int k = 0; fluid->solve != NULL && k < SYSTEMS; k++) {
         const struct solve_report *report = solve_total(fluid->solve, systems[k].prefix);
         double seconds[4] = {report->seconds_matrix, report->seconds_set_up, report->seconds_solve,
@@ -79,7 +80,7 @@ int watch_solvers(const struct physics_context *context, struct report_solver *s
         comm_max(context->comm, seconds, 4);
         if (report->rows == 0)
             continue;
-        struct report_solver *row = &solver[count++];
+        struct report_solver *row = &all->solver[all->solvers++];
         *row = (struct report_solver){.rows = (uint64_t)report->rows,
                                       .entries = (uint64_t)report->entries,
                                       .solves = (uint64_t)report->solves,
@@ -96,5 +97,4 @@ int watch_solvers(const struct physics_context *context, struct report_solver *s
                                       .seconds_products = seconds[3]};
         snprintf(row->name, sizeof row->name, "%s", systems[k].name);
     }
-    return count;
 }

@@ -12,7 +12,7 @@ bool watch_begin(const struct physics_context *context);
  * says, of solves with a true residual far above the tolerance. Alike on all ranks. */
 void watch_step(const struct physics_context *context);
 
-/* As `solvers` of struct physics. */
-int watch_solvers(const struct physics_context *context, struct report_solver *solver);
+/* As `report` of struct physics_shown. */
+void watch_report(const struct physics_context *context, struct report *report);
 
 #endif

@@ -18,7 +18,7 @@
  *   no slip, wall velocity u_w:   f_j - f_i = -(1 + beta) (f_i - u_w)        for each component of velocity
  *   slip length b, tangential:    f_j - f_i = -(d_i + d_j) / (d_i + b) (f_i - u_w) = -(1 + beta) d_i / (d_i + b) ...
  *   no flux (pressure):           f_j - f_i = 0
- *   grain that turns by omega:    f_j - f_i = omega x (x_j - x_i) - (1 + beta) (f_i - u_w),  u_w its rigid motion at x_i
+ *   body that turns by omega:     f_j - f_i = omega x (x_j - x_i) - (1 + beta) (f_i - u_w),  u_w its rigid motion at x_i
  *
  * and at an open side of given pressure p_w (`pressed`), where the velocity does not change along the normal,
  *
@@ -50,8 +50,9 @@ enum weights_operators { WEIGHTS_CORRECTED, WEIGHTS_STANDARD, WEIGHTS_MLS };
 struct weights_foot {
     double distance;  /* d_i, length, >= WEIGHTS_NEAREST x spacing */
     double normal[3]; /* unit, out of the body into the fluid; the foot point is x_i - d_i n */
-    double
-        velocity[3]; /* u_w, of the body's surface there, of a grain its rigid motion at x_i; length/time */
+    double velocity
+        [3]; /* u_w: the rigid motion of the body at x_i, at an open side what is given there; length/time */
+    double spin[3];  /* omega of the body, rad/time */
     int64_t body;    /* see body.h: id of a grain, or -1 - number of a wall or of an open side */
     bool open;       /* an open side of the box */
     bool pressed;    /* of given pressure */
@@ -81,7 +82,7 @@ struct weights {
     double *scalars, *vectors;
     uint8_t *code;
     double *mirror;      /* by wall entry: beta_ij = d_j / d_i, not capped */
-    double (*turn)[3];   /* by wall entry: omega x (x_j - x_i), omega of j's grain; NULL: no grain turns */
+    double (*turn)[3];   /* by wall entry: omega x (x_j - x_i), omega of j's body; NULL: no body turns */
     uint32_t *wall_foot; /* by wall entry: number of its foot */
     struct weights_foot *foot; /* by row, then by body */
     size_t *foot_start;        /* [rows + 1]: feet of row k */

@@ -85,17 +85,17 @@ static bool put_rows(struct checkpoint_writing *w, const char *group, const stru
 }
 
 static bool put_wall_history(struct checkpoint_writing *w, struct error *error) {
-    const struct wall_rows *rows = w->checkpoint->wall_history;
+    const struct rowset *rows = w->checkpoint->wall_history;
+    const struct wall_row *row = rows->row;
     if (!put_counts(w, "/wall_history/count", rows->start, error))
         return false;
     int32_t(*place)[2] = memory_allocate(rows->count, sizeof *place, "wall history rows");
     size_t width = checkpoint_history_width(w->checkpoint->history_components);
     double *value = memory_allocate_zero(rows->count * width, sizeof *value, "wall history rows");
     for (size_t k = 0; k < rows->count; k++) {
-        place[k][0] = rows->row[k].wall;
-        place[k][1] = rows->row[k].patch;
-        memcpy(value + k * width, rows->row[k].value,
-               (size_t)w->checkpoint->history_components * sizeof *value);
+        place[k][0] = row[k].wall;
+        place[k][1] = row[k].patch;
+        memcpy(value + k * width, row[k].value, (size_t)w->checkpoint->history_components * sizeof *value);
     }
     struct h5_table table = place_rows(w->comm, rows->count);
     table.type = FIELD_INT32;

@@ -8,7 +8,7 @@
 #include "core/memory.h"
 #include "formats/checkpoint_file.h"
 #include "formats/h5.h"
-#include "integrate/groups.h"
+#include "particles/groups.h"
 
 #include <string.h>
 
@@ -157,7 +157,7 @@ static bool get_rows(struct checkpoint_reading *r, const char *group, const stru
 }
 
 static bool get_wall_history(struct checkpoint_reading *r, const struct particles *p, struct error *error) {
-    struct wall_rows *rows = &r->loaded->wall_history;
+    struct rowset *rows = &r->loaded->wall_history;
     struct h5_table place;
     if (!get_starts(r, "/wall_history/count", "/wall_history/wall_patch", &rows->start, &place, error))
         return false;
@@ -171,11 +171,13 @@ static bool get_wall_history(struct checkpoint_reading *r, const struct particle
     place.width = width;
     good = good && get(r, "/wall_history/value", &place, value, error);
     rows->count = good ? place.count : 0;
-    rows->row = memory_allocate_zero(rows->count, sizeof *rows->row, "wall history rows");
+    rows->bytes = sizeof(struct wall_row);
+    rows->sent = wall_row_bytes(r->loaded->history_components);
+    struct wall_row *row = rows->row = memory_allocate_zero(rows->count, sizeof *row, "wall history rows");
     for (uint64_t i = 0; good && i < r->count; i++)
         for (size_t k = rows->start[i]; k < rows->start[i + 1]; k++) {
-            rows->row[k] = (struct wall_row){.id = p->id[i], .wall = where[k][0], .patch = where[k][1]};
-            memcpy(rows->row[k].value, value + k * width, width * sizeof *value);
+            row[k] = (struct wall_row){.id = p->id[i], .wall = where[k][0], .patch = where[k][1]};
+            memcpy(row[k].value, value + k * width, width * sizeof *value);
         }
     memory_free(where);
     memory_free(value);
@@ -265,7 +267,7 @@ bool checkpoint_read(const struct comm *comm, const char *path, struct particles
 
 void checkpoint_loaded_free(struct checkpoint_loaded *loaded) {
     history_rows_free(&loaded->history);
-    wall_rows_free(&loaded->wall_history);
+    rowset_free(&loaded->wall_history);
     for (int k = 0; k < PHYSICS_COUNT; k++)
         history_rows_free(&loaded->carried[k]);
     domain_tree_destroy(&loaded->tree);

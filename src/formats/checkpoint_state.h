@@ -31,14 +31,14 @@ struct checkpoint {
     const struct restart *restart;     /* NULL: none */
     const struct particles *particles; /* ghosts are ignored */
     const struct box *box;
-    const struct domain_tree *tree;       /* of a bisection; NULL: bricks */
-    int history_components;               /* 0: no history */
-    const struct history_rows *history;   /* NULL where there is none */
-    const struct wall_rows *wall_history; /* NULL where there is none */
-    struct history_rows *const *carried;  /* PHYSICS_COUNT rows of physics, NULL where there are none */
-    const int *components;                /* their doubles */
-    const struct walls *walls;            /* NULL: none */
-    const char *law;                      /* name of the law */
+    const struct domain_tree *tree;      /* of a bisection; NULL: bricks */
+    int history_components;              /* 0: no history */
+    const struct history_rows *history;  /* NULL where there is none */
+    const struct rowset *wall_history;   /* NULL where there is none */
+    struct history_rows *const *carried; /* PHYSICS_COUNT rows of physics, NULL where there are none */
+    const int *components;               /* their doubles */
+    const struct walls *walls;           /* NULL: none */
+    const char *law;                     /* name of the law */
     int materials, groups;
     const struct law_material *material; /* names and densities */
     const char *const *group;            /* names */
@@ -64,7 +64,7 @@ struct checkpoint_loaded {
     uint64_t total;           /* particles on all ranks */
     int history_components;
     struct history_rows history;
-    struct wall_rows wall_history;
+    struct rowset wall_history;
     struct history_rows carried[PHYSICS_COUNT]; /* of physics; start NULL: the file has none */
     int components[PHYSICS_COUNT];
     int walls;

@@ -152,7 +152,7 @@ bool checkpoint_table_read(struct checkpoint_table *table, const struct comm *co
     if (comm->rank == 0) {
         char block[CHECKPOINT_BLOCK] = {0};
         struct stat status;
-        int handle = open(path, O_RDONLY);
+        int handle = open(path, O_RDONLY | O_NONBLOCK);
         if (handle < 0 || fstat(handle, &status) != 0) {
             error_set(error, file_is_missing(errno) ? ERROR_USER : ERROR_SYSTEM, "%s: cannot be opened: %s",
                       path, strerror(errno));

@@ -2,8 +2,8 @@
 /* Converts between the formats, frame by frame. Read convert.h first. */
 #include "formats/convert.h"
 
-#include "contact/material.h"
-#include "contact/spin.h"
+#include "particles/material.h"
+#include "particles/spin.h"
 #include "core/memory.h"
 #include "formats/checkpoint.h"
 #include "formats/dump.h"
@@ -12,7 +12,7 @@
 #include "formats/h5md_read.h"
 #include "formats/info.h"
 #include "formats/lammps_data.h"
-#include "integrate/groups.h"
+#include "particles/groups.h"
 
 #include <inttypes.h>
 #include <stdlib.h>

@@ -52,10 +52,9 @@ static const struct dump_column *known_column(const char *field) {
     return NULL;
 }
 
-const char *dump_columns_of(const char *field, enum field_type type, int components) {
+const char *dump_columns_of(const char *field, int components) {
     const struct dump_column *known = known_column(field);
-    bool shown = strcmp(field, "id") == 0 || (type == FIELD_DOUBLE && components == 1);
-    return known ? known->head : shown ? field : "";
+    return known ? known->head : components == 1 ? field : "";
 }
 
 bool dump_check_fields(const struct output_fields *fields, const struct particles *particles,
@@ -64,7 +63,7 @@ bool dump_check_fields(const struct output_fields *fields, const struct particle
         struct frame_field field = frame_field_get(fields_get(particles, f));
         for (int k = 0; k < fields->count; k++)
             if (strcmp(fields->name[k], field.name) == 0 &&
-                dump_columns_of(field.name, field.type, field.components)[0] == '\0')
+                dump_columns_of(field.name, field.components)[0] == '\0')
                 return error_set(error, ERROR_USER,
                                  "field \"%s\": a dump has no columns for this field; "
                                  "output.trajectory.fields may name it",
@@ -73,9 +72,10 @@ bool dump_check_fields(const struct output_fields *fields, const struct particle
     return true;
 }
 
-/* True if LAMMPS has no name for a column. Such a column keeps its own name, and stands behind the others. */
+/* True if LAMMPS has no name for a column of one number. Such a column keeps its own name, and stands behind the
+ * others. The id stands before them. */
 static bool is_other(const struct frame_column *column) {
-    return known_column(column->name) == NULL && column->type == FIELD_DOUBLE && column->components == 1;
+    return known_column(column->name) == NULL && column->components == 1 && strcmp(column->name, "id") != 0;
 }
 
 /* Cuts an existing file behind the last whole frame up to a step. */

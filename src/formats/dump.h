@@ -16,7 +16,7 @@ bool dump_open(struct dump **dump, const struct comm *comm, const char *path, in
 
 /* The columns of a dump that show a field, by its name in H5MD, as in the head of the dump ("vx vy vz"). A
  * number without a name in LAMMPS has the name of the field. "" if the dump has no columns for the field. */
-const char *dump_columns_of(const char *field, enum field_type type, int components);
+const char *dump_columns_of(const char *field, int components);
 
 /* Checks a list of names, all of them fields of the particles. A field that a dump has no columns for is a user's error. */
 bool dump_check_fields(const struct output_fields *fields, const struct particles *particles,

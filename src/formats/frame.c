@@ -9,12 +9,14 @@
 #include "comm/groups.h"
 #include "core/memory.h"
 #include "fields_table.h"
-#include "integrate/groups.h"
+#include "particles/groups.h"
 #include "physics_table.h"
 
 #include <assert.h>
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
+#include <strings.h>
 
 /* The output form of a field that is not copied unchanged. */
 struct shown {
@@ -118,6 +120,43 @@ const struct frame_column *frame_find(const struct frame *frame, const char *nam
     return NULL;
 }
 
+/* Words of other programs for a field; "": none is known. */
+static const char *field_meant(const char *word) {
+    static const char *const words[][2] = {{"omega", "angular_velocity"},
+                                           {"spin", "angular_velocity"},
+                                           {"w", "angular_velocity"},
+                                           {"angular_speed", "angular_velocity"},
+                                           {"v", "velocity"},
+                                           {"velocities", "velocity"},
+                                           {"speed", "velocity"},
+                                           {"x", "position"},
+                                           {"positions", "position"},
+                                           {"coordinates", "position"},
+                                           {"f", "force"},
+                                           {"forces", "force"},
+                                           {"torques", "torque"},
+                                           {"r", "radius"},
+                                           {"radii", "radius"},
+                                           {"diameter", "radius"},
+                                           {"m", "mass"},
+                                           {"type", "material"},
+                                           {"temp", "temperature"},
+                                           {"ids", "id"}};
+    for (size_t k = 0; k < sizeof words / sizeof words[0]; k++)
+        if (strcasecmp(word, words[k][0]) == 0)
+            return words[k][1];
+    return "";
+}
+
+static bool field_there(const struct particles *particles, const char *name) {
+    for (int f = 0; f < fields_count(particles); f++) {
+        const struct field *field = fields_get(particles, f);
+        if ((field->use & FIELD_OUTPUT) && strcmp(shown_of(field).name, name) == 0)
+            return true;
+    }
+    return false;
+}
+
 bool frame_check_fields(const struct output_fields *fields, const struct particles *particles,
                         struct error *error) {
     char known[ERROR_TEXT_MAX / 2] = "";
@@ -128,14 +167,12 @@ bool frame_check_fields(const struct output_fields *fields, const struct particl
             snprintf(known + used, sizeof known - used, "%s%s", used ? ", " : "", shown_of(field).name);
     }
     for (int k = 0; k < fields->count; k++) {
-        bool found = false;
-        for (int f = 0; f < fields_count(particles) && !found; f++) {
-            const struct field *field = fields_get(particles, f);
-            found = (field->use & FIELD_OUTPUT) && strcmp(shown_of(field).name, fields->name[k]) == 0;
-        }
-        if (!found)
-            return error_set(error, ERROR_USER, "field \"%s\": this scene has no such field; it has %s",
-                             fields->name[k], known);
+        const char *name = fields->name[k], *meant = field_meant(name);
+        bool like = field_there(particles, meant);
+        if (!field_there(particles, name))
+            return error_set(error, ERROR_USER, "field \"%s\": this scene has no such field%s%s%s; it has %s",
+                             name, like ? " (did you mean '" : "", like ? meant : "", like ? "'?)" : "",
+                             known);
     }
     return true;
 }
@@ -294,6 +331,11 @@ static void unpack_sorted(struct frame *frame, const char *packed, size_t rows) 
     frame->rows = rows;
 }
 
+/* The sum of crossings; beyond 32 bits the number next to it. */
+static int32_t image_add(int32_t image, double more) {
+    return (int32_t)fmin(fmax(image + more, INT32_MIN), INT32_MAX);
+}
+
 /* Crossings as the lattice of the box counts them that the frame shows: the offset of a shear as it is, and not
  * the sum since the start. */
 static void settle_images(struct frame *frame) {
@@ -303,8 +345,8 @@ static void settle_images(struct frame *frame) {
         if (!motion->shears || strcmp(frame->column[c].name, "image") != 0)
             continue;
         for (size_t k = 0; k < frame->rows; k++)
-            image[3 * k + (size_t)motion->flow] +=
-                (int32_t)motion->turns * image[3 * k + (size_t)motion->gradient];
+            image[3 * k + (size_t)motion->flow] = image_add(
+                image[3 * k + (size_t)motion->flow], motion->turns * image[3 * k + (size_t)motion->gradient]);
     }
 }
 

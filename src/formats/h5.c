@@ -92,6 +92,11 @@ static bool agree_watch(const struct h5 *h5, struct error *error) {
 
 /* Opens a file and closes it. */
 static void try_open(const struct h5 *h5, bool write, struct error *error) {
+    const char *waits = file_waits(h5->path);
+    if (waits) {
+        error_set(error, ERROR_USER, "%s: %s", h5->path, waits);
+        return;
+    }
     int handle = open(h5->path, (write ? O_RDWR : O_RDONLY) | O_CLOEXEC);
     if (handle >= 0)
         close(handle);

@@ -10,6 +10,15 @@
 #include <stdio.h>
 #include <string.h>
 
+bool h5md_suits(const struct comm *comm, const char *path, bool varying, struct error *error) {
+    struct h5md h5md = {.varying = varying};
+    struct h5 h5;
+    if (!h5_open(&h5, path, comm, false, error))
+        return false;
+    bool good = h5md_check_varying(&h5md, &h5, error);
+    return h5_close(&h5, error) && good;
+}
+
 bool h5md_open(struct h5md **h5md, const struct comm *comm, const char *path, const struct h5md_head *head,
                int64_t resume_step, struct error *error) {
     *h5md = NULL;

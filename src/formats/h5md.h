@@ -26,6 +26,10 @@ struct h5md_head {
     uint64_t seed;
 };
 
+/* True if a run can go on with the trajectory at `path`, which is there; `varying`: its particles may come and go. Changes
+ * nothing. Collective. */
+bool h5md_suits(const struct comm *comm, const char *path, bool varying, struct error *error);
+
 /* Prepares a writer for `path` (which ends in .h5). resume_step < 0: the first frame makes a new file. Else
  * frames after that step are cut off, new frames follow, and missing parts are made; a file made for a fixed
  * number of particles is refused (user), and stays unchanged, if the number now varies. Collective. */

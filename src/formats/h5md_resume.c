@@ -144,8 +144,7 @@ bool h5md_recall(struct h5md *h5md, const struct h5 *h5, struct error *error) {
     return recall_elements(h5md, h5, error) && recall_frames(h5md, h5, error);
 }
 
-/* Checks that the file fits `varying`: a file made for a fixed set of particles holds their ids only once. */
-static bool check_varying(const struct h5md *h5md, const struct h5 *h5, struct error *error) {
+bool h5md_check_varying(const struct h5md *h5md, const struct h5 *h5, struct error *error) {
     static const char ids[] = "/particles/all/id";
     if (!h5md->varying || !h5_exists(h5, ids) || h5_is_group(h5, ids))
         return true;
@@ -162,7 +161,7 @@ bool h5md_resume(struct h5md *h5md, int64_t step, struct error *error) {
         return false;
     static const char *const groups[] = {"/particles/all", "/observables", "/connectivity",
                                          "/parameters/frames"};
-    bool good = check_varying(h5md, &h5, error);
+    bool good = h5md_check_varying(h5md, &h5, error);
     for (size_t k = 0; good && k < sizeof groups / sizeof groups[0]; k++)
         good = cut_group(&h5, groups[k], step, error);
     good = good && h5md_recall(h5md, &h5, error) && recall_lists(h5md, &h5, error) &&

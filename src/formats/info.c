@@ -3,8 +3,10 @@
 #include "formats/info.h"
 
 #include "formats/checkpoint.h"
+#include "formats/checkpoint_folder.h"
 #include "formats/checkpoint_table.h"
 #include "core/memory.h"
+#include "files/file.h"
 #include "formats/dump.h"
 #include "formats/h5.h"
 #include "formats/h5md_read.h"
@@ -22,6 +24,9 @@ bool info_kind(const char *path, enum info_kind *kind, struct error *error) {
     static const char hdf5_mark[] = "\211HDF\r\n\032\n";
     char head[4096] = {0};
     *kind = INFO_UNKNOWN;
+    const char *waits = file_waits(path);
+    if (waits)
+        return error_set(error, ERROR_USER, "%s: %s", path, waits);
     gzFile file = gzopen(path, "rb");
     if (!file)
         return error_set(error, ERROR_USER, "%s: cannot be opened: %s", path, strerror(errno));
@@ -215,4 +220,23 @@ bool info_print(const char *path, const struct comm *comm, FILE *file, struct er
         return error_set(error, ERROR_USER,
                          "%s: is none of: H5MD file, checkpoint, LAMMPS data file, LAMMPS dump", path);
     }
+}
+
+bool info_folder(const char *folder, const struct comm *comm, FILE *file, struct error *error) {
+    static const char *const names[] = {"trajectory.h5", "dump.lammpstrj"};
+    char path[FILE_PATH_MAX];
+    int found = 0;
+    for (size_t k = 0; k <= sizeof names / sizeof names[0]; k++) {
+        bool last = k == sizeof names / sizeof names[0];
+        if (last ? !checkpoint_find(folder, 0, path)
+                 : !file_join(path, folder, names[k], error) || file_size(path) < 0)
+            continue;
+        if (!info_print(path, comm, file, error))
+            return false;
+        found++;
+    }
+    return found > 0 ||
+           error_set(error, ERROR_USER,
+                     "%s: is a folder without trajectory.h5, dump.lammpstrj or a checkpoint; name a file",
+                     folder);
 }

@@ -16,4 +16,8 @@ bool info_kind(const char *path, enum info_kind *kind, struct error *error);
 /* Prints frames, particles, fields, box, histogram of sizes. comm is that of one rank. */
 bool info_print(const char *path, const struct comm *comm, FILE *file, struct error *error);
 
+/* Prints the same for the files of a run in a folder: trajectory, dump, newest checkpoint. False with a user's error if
+ * it has none of them. */
+bool info_folder(const char *folder, const struct comm *comm, FILE *file, struct error *error);
+
 #endif

@@ -160,6 +160,7 @@ static bool take_atom(struct reading *r, size_t row, const double *value, int n,
     if (!lines_whole(value[1], 1, types, &type))
         return lines_refuse(&r->lines, error, "%g is not a type (1 ... %" PRId64 ")", value[1], types);
     rows->material[row] = (int32_t)(type - 1);
+    rows->line[row] = (uint32_t)r->lines.number;
     if (value[2] <= 0 || value[3] <= 0)
         return lines_refuse(&r->lines, error, "diameter and density must be positive");
     if (n != 7 && n != 10)
@@ -179,20 +180,22 @@ static bool take_atom(struct reading *r, size_t row, const double *value, int n,
 
 static int compare_ids(const void *a, const void *b) {
     const struct numbered *x = a, *y = b;
-    return (x->id > y->id) - (x->id < y->id);
+    return x->id != y->id ? (x->id > y->id) - (x->id < y->id) : (x->row > y->row) - (x->row < y->row);
 }
 
 /* Sorts the rows by id; refuses ids that occur twice. */
 static bool order_ids(struct reading *r, struct error *error) {
     size_t n = r->rows->count;
+    const uint32_t *line = r->rows->line;
     r->sorted = memory_allocate(n, sizeof *r->sorted, "rows by id");
     for (size_t k = 0; k < n; k++)
         r->sorted[k] = (struct numbered){.id = r->rows->id[k], .row = k};
     qsort(r->sorted, n, sizeof *r->sorted, compare_ids);
     for (size_t k = 1; k < n; k++)
         if (r->sorted[k].id == r->sorted[k - 1].id)
-            return error_set(error, ERROR_USER, "%s: section Atoms: id %" PRId64 " occurs twice",
-                             r->lines.path, r->sorted[k].id);
+            return error_set(error, ERROR_USER, "%s:%u: has the id of particle %" PRId64 ", line %u",
+                             r->lines.path, line[r->sorted[k].row], r->sorted[k].id,
+                             line[r->sorted[k - 1].row]);
     return true;
 }
 
@@ -272,7 +275,7 @@ static bool read_sections(struct reading *r, struct error *error) {
 /* Makes rows for the number of atoms in the head, and moves the data of the head into the rows. */
 static void make_rows(struct reading *r) {
     struct rows head = *r->rows;
-    rows_create(r->rows, (size_t)r->atoms, ROWS_ALL);
+    rows_create(r->rows, (size_t)r->atoms, ROWS_ALL | ROWS_LINE);
     memcpy(r->rows->lower, head.lower, sizeof head.lower);
     memcpy(r->rows->upper, head.upper, sizeof head.upper);
     r->rows->tilt = head.tilt;

@@ -62,6 +62,8 @@ struct output_view {
                * part */
     uint64_t step;
     double time;
+    bool
+        staged; /* the scene has stages, which may bring gravity and walls: their columns are there from the start */
     struct output_load load;
     struct output_turnover turnover;
     const struct output_crossing *crossing; /* by plane of the observables */

@@ -20,7 +20,8 @@ void rows_create(struct rows *rows, size_t count, unsigned columns) {
                           .mass = column(columns, ROWS_MASS, count, sizeof *rows->mass),
                           .id = column(columns, ROWS_ID, count, sizeof *rows->id),
                           .material = column(columns, ROWS_MATERIAL, count, sizeof *rows->material),
-                          .image = column(columns, ROWS_IMAGE, count, sizeof *rows->image)};
+                          .image = column(columns, ROWS_IMAGE, count, sizeof *rows->image),
+                          .line = column(columns, ROWS_LINE, count, sizeof *rows->line)};
 }
 
 void rows_free(struct rows *rows) {
@@ -32,6 +33,7 @@ void rows_free(struct rows *rows) {
     memory_free(rows->id);
     memory_free(rows->material);
     memory_free(rows->image);
+    memory_free(rows->line);
     *rows = (struct rows){0};
 }
 

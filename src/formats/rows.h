@@ -16,7 +16,8 @@ enum rows_column {
     ROWS_ID = 32,
     ROWS_MATERIAL = 64,
     ROWS_IMAGE = 128,
-    ROWS_ALL = 255
+    ROWS_ALL = 255, /* all data of a particle */
+    ROWS_LINE = 256
 };
 
 struct rows {
@@ -30,7 +31,8 @@ struct rows {
     int64_t *id;
     int32_t *material; /* number from 0 (LAMMPS: type - 1) */
     int32_t (*image)[3];
-    int dimension; /* 2 (z and z components are 0) or 3 */
+    uint32_t *line; /* line of each row in its file; a text file has it */
+    int dimension;  /* 2 (z and z components are 0) or 3 */
     bool box_given, periodic_given;
     double lower[3], upper[3]; /* of the box */
     /* A sheared box: an image one edge up the direction `gradient` lies at `offset` along `flow`; 0: no tilt. */

@@ -158,7 +158,8 @@ static void pair_fill(struct hard_row *row, const struct hard_problem *problem,
     }
     for (int d = 0; d < 3; d++)
         row->normal[d] = apart[d] / distance;
-    row_finish(row, problem, terms, &terms->pair[material[0]][material[1]], pace, radius, &pairs->memory[m]);
+    row_finish(row, problem, terms, hard_term_of(terms, material[0], material[1]), pace, radius,
+               &pairs->memory[m]);
 }
 
 /* Rows of pairs, cut by cut in the order of the colours. */
@@ -253,7 +254,7 @@ static void wall_fill(struct hard_problem *problem, const struct hard_wall_conta
                              .normal = {place->normal[0], place->normal[1], place->normal[2]},
                              .lever = {fmax(0.0, radius + place->gap), 0.0},
                              .gap = place->gap};
-    row_finish(row, problem, terms, &terms->pair[material][scene->wall_material[place->wall]], pace,
+    row_finish(row, problem, terms, hard_term_of(terms, material, scene->wall_material[place->wall]), pace,
                (double[2]){radius, INFINITY}, &contact->memory);
 }
 

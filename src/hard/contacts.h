@@ -13,8 +13,6 @@
 #include "hard/problem.h"
 #include "walls/wall.h"
 
-enum { HARD_MATERIALS_MAX = 32 };
-
 struct hard_term {
     double friction, restitution;
     double stiffness;  /* force/length; of Hertz force/length^2, times the contact radius; 0: by kappa */
@@ -26,8 +24,13 @@ struct hard_terms {
     double kappa;
     double repair; /* largest release of an overlap in a step, over the smaller radius; rigid contacts */
     bool hertz;
-    struct hard_term pair[HARD_MATERIALS_MAX][HARD_MATERIALS_MAX];
+    int materials;
+    struct hard_term *pair; /* materials x materials */
 };
+
+static inline const struct hard_term *hard_term_of(const struct hard_terms *terms, int a, int b) {
+    return &terms->pair[(size_t)a * (size_t)terms->materials + (size_t)b];
+}
 
 /* What a contact with a wall remembers. */
 struct hard_wall_memory {

@@ -1,11 +1,11 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* Hard contacts as a physics (engine/physics.h): the one file that joins the solver to the engine. Read hard.h first. */
-#include "contact/material.h"
-#include "contact/spin.h"
 #include "core/memory.h"
-#include "engine/physics.h"
+#include "grains/grains.h"
 #include "hard/state.h"
 #include "particles/kinds.h"
+#include "particles/material.h"
+#include "particles/spin.h"
 #include "scene/sizes.h"
 
 /* Largest coefficient of restitution: the pass of restitution may add energy where several impacts
@@ -65,7 +65,7 @@ static bool check_law(const struct scene *scene, struct error *error) {
 static bool check_pairs(const struct scene *scene, struct error *error) {
     for (int a = 0; a < scene->materials; a++)
         for (int b = 0; b <= a; b++) {
-            const struct law_pair *pair = &scene->law_pair[a][b];
+            const struct law_pair *pair = scene_law_pair(scene, a, b);
             if (pair->restitution > restitution_most)
                 return scene_fail(scene, error, "material_pairs",
                                   "%s, %s: restitution is %g; allowed with contact.solver are 0 to %g",
@@ -107,17 +107,20 @@ static bool check(const struct physics_context *context, struct error *error) {
 static void terms_make(struct hard_terms *terms, const struct physics_context *context,
                        const struct hard_options *options) {
     const struct scene *scene = context->scene;
-    const struct law *law = context->contact->law;
+    const struct law *law = &grains_of(context->set)->law;
     const struct law_form *form = law_form_of(&law->options);
     bool stiff = law_has_trait(law->options.normal, "stiff");
     *terms = (struct hard_terms){
         .kappa = stiff ? options->kappa : 0.0, .repair = options->repair, .hertz = !stiff && !form->linear};
+    terms->materials = scene->materials;
+    terms->pair = memory_allocate_zero((size_t)(scene->materials * scene->materials), sizeof *terms->pair,
+                                       "hard contacts");
     for (int a = 0; a < scene->materials; a++)
         for (int b = 0; b < scene->materials; b++) {
-            const struct law_coefficients *c = &law->pair[a][b];
-            struct hard_term *term = &terms->pair[a][b];
-            *term =
-                (struct hard_term){.friction = c->friction, .restitution = scene->law_pair[a][b].restitution};
+            const struct law_coefficients *c = law_pair_of(law, a, b);
+            struct hard_term *term = &terms->pair[a * scene->materials + b];
+            *term = (struct hard_term){.friction = c->friction,
+                                       .restitution = scene_law_pair(scene, a, b)->restitution};
             if (stiff)
                 continue;
             term->stiffness = c->k_n;
@@ -136,8 +139,8 @@ static void *create(const struct physics_context *context) {
     struct hard_solver *solver = &hard->solver;
     const struct scene *scene = context->scene;
     hard->context = context;
-    context->contact->solved = listed;
-    context->contact->solver = hard;
+    grains_contact(context)->solved = listed;
+    grains_contact(context)->solver = hard;
     solver->comm = context->comm;
     solver->options = *(const struct hard_options *)context->options;
     solver->threads = context->threads;
@@ -156,6 +159,7 @@ static void destroy(void *self) {
     hard_contacts_free(&hard->solver.contacts, hard->solver.threads);
     hard_problem_free(&hard->solver.problem);
     hard_border_free(&hard->solver.border);
+    memory_free(hard->solver.terms.pair);
     memory_free(hard);
 }
 
@@ -165,15 +169,15 @@ static struct hard_input input_of(const struct physics_context *context) {
     struct hard_input input = {.scene = {.particles = context->particles,
                                          .material = material_numbers(context->particles),
                                          .wall_material = hard->wall_material,
-                                         .walls = context->walls,
+                                         .walls = grains_walls(context),
                                          .list = context->list[0],
                                          .threads = context->threads},
                                .particles = context->particles,
                                .omega = spin_values(context->particles),
                                .dimension = context->box->dimension,
                                .dt = dt,
-                               .duration = context->contact->dt > 0.0 ? dt : 0.5 * dt};
-    memcpy(input.gravity, context->motion->gravity, sizeof input.gravity);
+                               .duration = context->evaluation->dt > 0.0 ? dt : 0.5 * dt};
+    memcpy(input.gravity, context->scene->gravity, sizeof input.gravity);
     return input;
 }
 
@@ -224,7 +228,8 @@ static void count(struct hard *hard) {
 static void solve(const struct physics_context *context) {
     struct hard *hard = context->self;
     const struct hard_input input = input_of(context);
-    struct force_sums *sums = context->sums;
+    struct grains *grains = grains_of(context->set);
+    struct force_sums *sums = &grains->sums;
     double stored = hard->last.stored[0];
     hard_solver_step(&hard->solver, &input, &hard->last);
     count(hard);
@@ -236,9 +241,9 @@ static void solve(const struct physics_context *context) {
                                 .contacts = hard->last.contacts,
                                 .contact_sides = 2 * hard->last.contacts};
     memcpy(sums->virial, hard->last.virial, sizeof sums->virial);
-    if (context->walls)
-        walls_finish(context->walls, context->contact, sums);
-    *context->taken += sums->taken;
+    if (grains->walls)
+        walls_finish(grains->walls, &grains->contact, sums);
+    grains->taken += sums->taken;
 }
 
 /* Finds the smallest radius, and the masses of the lightest and the heaviest grain. */
@@ -265,8 +270,8 @@ static void sizes_find(const struct physics_context *context, struct hard *hard)
 
 static double limit(const struct physics_context *context, double most) {
     struct hard *hard = context->self;
-    double speed = *context->speed_expected;
-    double g = sqrt(hard_dot(context->motion->gravity, context->motion->gravity));
+    double speed = grains_of(context->set)->stable.speed_most;
+    double g = sqrt(hard_dot(context->scene->gravity, context->scene->gravity));
     if (isinf(hard->smallest))
         sizes_find(context, hard);
     if (speed > 0.0)
@@ -295,25 +300,25 @@ static void restart(const struct physics_context *context, struct restart *list)
     restart_add(list, RESTART_REAL, true, &hard->solver.reach, "reach of solved contacts");
 }
 
-static int solvers(const struct physics_context *context, struct report_solver *solver) {
+static void report(const struct physics_context *context, struct report *report) {
     const struct hard *hard = context->self;
-    *solver = (struct report_solver){.name = "contacts",
-                                     .rows = hard->last.rows,
-                                     .solves = hard->solves,
-                                     .iterations = hard->sweeps,
-                                     .doubtful = hard->unmet,
-                                     .residual = hard->last.residual,
-                                     .residual_worst = hard->worst};
-    return 1;
+    report->solver[report->solvers++] = (struct report_solver){.name = "contacts",
+                                                               .rows = hard->last.rows,
+                                                               .solves = hard->solves,
+                                                               .iterations = hard->sweeps,
+                                                               .doubtful = hard->unmet,
+                                                               .residual = hard->last.residual,
+                                                               .residual_worst = hard->worst};
 }
 
 /* Prints what the springs of rigid contacts cost: the speed of news, and an overlap; and says if that is too much. */
 static void print_kappa(const struct physics_context *context, FILE *file) {
     const struct hard *hard = context->self;
-    double kappa = hard->solver.terms.kappa, dt = context->clock->dt, speed = *context->speed_expected;
+    double kappa = hard->solver.terms.kappa, dt = context->clock->dt,
+           speed = grains_of(context->set)->stable.speed_most;
     double news = sqrt(kappa) * 2.0 * hard->smallest / dt,
            wants = 9.0 * speed * speed / (news * news) * kappa;
-    double g = sqrt(hard_dot(context->motion->gravity, context->motion->gravity));
+    double g = sqrt(hard_dot(context->scene->gravity, context->scene->gravity));
     double overlap = (1.0 + hard->heavy / hard->light) * g * dt * dt / (kappa * hard->smallest);
     fprintf(file, "  news         travels about %.3g grains a step: %.4g in the smallest grains\n",
             sqrt(kappa), news);
@@ -337,7 +342,8 @@ static void print_kappa(const struct physics_context *context, FILE *file) {
 static void print(const struct physics_context *context, FILE *file) {
     const struct hard *hard = context->self;
     const struct hard_solver *solver = &hard->solver;
-    double radius = hard->smallest, dt = context->clock->dt, speed = *context->speed_expected;
+    double radius = hard->smallest, dt = context->clock->dt,
+           speed = grains_of(context->set)->stable.speed_most;
     if (context->comm->rank > 0)
         return;
     fprintf(file, "\nsolver of contacts\n");
@@ -360,25 +366,26 @@ static const struct physics_pass pass = {.name = "solve",
                                          .writes = "force",
                                          .whole = solve};
 
+static const struct physics_search search = {
+    .interactions = 1, .interaction = {{.name = "solved contact", .range = range}}, .range_of_self = true};
+static const struct physics_rows memory = {
+    .of = rows, .components = HISTORY_COMPONENTS_USUAL, .due = due, .again = rebuilt_again};
+static const struct physics_limit limits = {
+    .of = limit,
+    .why = "a grain would move by half of the smallest radius in a step, or fall by a two-hundredth of it"};
+static const struct physics_shown shown = {.report = report};
+
 const struct physics hard_physics = {.name = "hard",
-                                     .interactions = 1,
-                                     .interaction = {{.name = "solved contact", .range = range}},
-                                     .range_of_self = true,
                                      .passes = 1,
                                      .pass = &pass,
                                      .check = check,
                                      .create = create,
                                      .destroy = destroy,
                                      .rebuilt = rebuilt,
-                                     .rows = rows,
-                                     .row_components = HISTORY_COMPONENTS_USUAL,
-                                     .due = due,
-                                     .rebuilt_again = rebuilt_again,
-                                     .limit = limit,
-                                     .limit_why =
-                                         "a grain would move by half of the smallest radius in a step, or "
-                                         "fall by a two-hundredth of it",
                                      .guard = guard,
                                      .restart = restart,
                                      .print = print,
-                                     .solvers = solvers};
+                                     .search = &search,
+                                     .rows = &memory,
+                                     .limit = &limits,
+                                     .shown = &shown};

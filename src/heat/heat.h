@@ -5,7 +5,7 @@
  *
  * Two grains i and j with the contact radius a exchange the power H (T_j - T_i),
  *
- *   H = 4 k_i k_j / (k_i + k_j) a,      a^2 = R* overlap   (R* effective radius)
+ *   H = 4 k_i k_j / (k_i + k_j) a      (a: contact radius of the law, law_grip_radius)
  *
  * (Batchelor and O'Brien, Proc. R. Soc. A 355 (1977) 313, eq. 2.2: 2 k a for equal grains). Where the scene's
  * grains are softer than the real ones by `softening` (Young's moduli, real over the scene's), the contact
@@ -17,7 +17,7 @@
  *
  *   H_g = 2 pi k_g R* ln(distance / max(g, roughness))      for g < distance, overlaps count as g = 0
  *
- * (the same paper, section 4, cut off at the given gap).
+ * (the same paper, section 4, cut off at the given gap). A neck, where surfaces touch across a gap, counts as g = 0.
  *
  * Of the energy that a contact loses (dampers, sliding, plastic flow) the part `dissipation` becomes heat: half of it in
  * each of two grains, all of it in the grain at a wall (heat_work.h). */
@@ -26,6 +26,8 @@
 
 #include "contact/force.h"
 #include "walls/wall.h"
+
+enum { HEAT_PATH_MAX = 256 };
 
 /* One entry of `materials`. */
 struct heat_material {
@@ -37,7 +39,8 @@ struct heat_material {
 struct heat_wall {
     int wall;
     double temperature; /* K; NAN: not given, and then: */
-    double flux;        /* W/m2 of the cross-section of a grain that touches; NAN: not given */
+    double flux;        /* W/m2 of the cross-section of a grain that touches; NAN: not given, and then: */
+    char table[HEAT_PATH_MAX]; /* rows t T: the temperature over time */
 };
 
 struct heat_gas {
@@ -47,7 +50,7 @@ struct heat_gas {
 
 /* The section `heat` of a scene. */
 struct heat_options {
-    double temperature; /* of all grains at the start, K */
+    double temperature; /* of grains at the start, K, where their source gives no other */
     double dissipation; /* share of the energy lost in contacts that warms the grains, 0 ... 1 */
     double softening;
     struct heat_gas gas;

@@ -3,7 +3,7 @@
 #include "heat/fields.h"
 #include "heat/heat.h"
 #include "heat/heat_own.h"
-#include "integrate/groups.h"
+#include "particles/groups.h"
 #include "observe/observables_kinds.h"
 #include "physics_table.h"
 #include "scene/schema_rows.h"
@@ -28,6 +28,10 @@ static const struct schema_row wall_rows[] = {
      .help = "temperature of the wall", .example = "400 K"},
     {.key = "flux", .type = SCHEMA_REAL, .unit = "W/m2", AT(struct heat_wall, flux),
      .help = "instead: power into each grain that touches, over the cross-section of the grain (pi r2)"},
+    {.key = "table", .type = SCHEMA_PATH, AT(struct heat_wall, table),
+     .help = "instead: the temperature over time, a file of rows `t T` in seconds and kelvins (numbers alone if units is none); linear between "
+             "rows, constant before the first and after the last",
+     .example = "oven.txt"},
 };
 static const struct schema_table wall_table = TABLE(wall_rows);
 
@@ -43,7 +47,7 @@ static const struct schema_table gas_table = TABLE(gas_rows);
 
 static const struct schema_row section[] = {
     {.key = "temperature", .type = SCHEMA_REAL, .unit = "K", .range = "[0, inf)", .fallback = "293.15",
-     AT(struct heat_options, temperature), .help = "of all grains at the start, and of those that are inserted"},
+     AT(struct heat_options, temperature), .help = "of all grains at the start, and of those that are inserted, where their source or insertion gives no other"},
     {.key = "dissipation", .type = SCHEMA_REAL, .range = "[0, 1]", .fallback = "0", AT(struct heat_options, dissipation),
      .help = "part of the mechanical energy lost in contacts that becomes heat of the grains: half of it in each of two grains, all of "
              "it in the grain at a wall", .example = "1"},

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* Collects the work of contacts for heat. Read heat_work.h first. */
 #include "heat/heat_work.h"
+#include "grains/grains.h"
 #include "core/memory.h"
 #include "heat/fields.h"
 #include "pairs/walk.h"
@@ -39,7 +40,7 @@ struct heat_work *heat_work_create(const struct physics_context *context) {
                                      .radii = true,
                                      .ordered = context->ordered};
     heat_work_register(context->particles);
-    context->contact->want_work = true;
+    grains_contact(context)->want_work = true;
     return work;
 }
 
@@ -53,7 +54,7 @@ void heat_work_destroy(struct heat_work **work) {
 }
 
 void heat_work_rebuilt(struct heat_work *work) {
-    struct force_context *contact = work->context->contact;
+    struct force_context *contact = grains_contact(work->context);
     size_t pairs = contact->list->capacity; /* threads' regions may leave gaps */
     work->pair = memory_resize(work->pair, pairs + 1, sizeof *work->pair, "work of contacts");
     memset(work->pair, 0, (pairs + 1) * sizeof *work->pair);

@@ -50,7 +50,7 @@ double carried_move(const struct carried *carried, size_t i, double dt, bool fla
     for (int d = 0; omega && d < 3; d++)
         omega[d] = pose->w[d];
     moved /= dt * dt;
-    return moved > square ? moved : square; /* a square that is no number stays */
+    return (moved > square ? moved : square) + 0.0 * moved; /* no number if one of the two is none */
 }
 
 void carried_full_step(const struct carried *carried, size_t i, double velocity[3], double *omega) {

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* The table of integrators and the passes that move particles, vector and scalar. Read integrator.h first. */
 #include "integrate/integrator.h"
-#include "contact/spin.h"
-#include "integrate/groups.h"
+#include "particles/spin.h"
+#include "particles/groups.h"
 #include "particles/kinds.h"
 #include <stddef.h>
 #include <string.h>
@@ -132,7 +132,8 @@ void integrator_prescribe(struct particles *particles, const struct integrator_c
 double integrator_advance(struct particles *particles, const struct integrator_context *context, size_t first,
                           size_t last) {
     const struct integrator_pass pass = integrator_pass_of(particles, context, context->dt, true);
-    double fastest = 0.0, poison = 0.0; /* poison: 0, or NaN once a square is not finite */
+    double fastest = 0.0, squares = 0.0, turns = 0.0; /* sums, which one number that is not finite spoils */
+    integrator_two spins = {0.0, 0.0};
     for (size_t i = first; i < last; i++) {
         struct particle_state *state = &pass.state[i];
         double *force = pass.force + i * pass.stride, square = 0.0;
@@ -149,12 +150,15 @@ double integrator_advance(struct particles *particles, const struct integrator_c
             square = integrator_move(state, force, pass.omega ? pass.omega[i] : NULL, &pass);
         }
         fastest = square > fastest ? square : fastest;
-        poison += 0.0 * square;
+        squares += square;
         memset(force, 0, 4 * sizeof(double));
-        if (pass.omega)
+        if (pass.omega) {
+            spins += *(integrator_two *)pass.omega[i];
+            turns += pass.omega[i][2];
             memset(force + 4, 0, 4 * sizeof(double));
+        }
     }
-    return fastest + poison;
+    return fastest + 0.0 * (squares + spins[0] + spins[1] + turns);
 }
 
 void integrator_stagger(struct particles *particles, const struct integrator_context *context, size_t first,

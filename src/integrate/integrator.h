@@ -48,7 +48,7 @@ void integrator_prescribe(struct particles *particles, const struct integrator_c
 
 /* Kicks and drifts the owned particles [first, last): v += dt (f/m + g), omega += dt torque/I, x += dt v;
  * sets their force record to zero; sets prescribed motion, and that of carried grains. In 2D z stays. Returns the largest |v|^2 of the
- * range (speed for the skin), NaN if one is not finite. Any thread, disjoint ranges. */
+ * range (speed for the skin), NaN if one, or a spin, is not finite. Any thread, disjoint ranges. */
 double integrator_advance(struct particles *particles, const struct integrator_context *context, size_t first,
                           size_t last);
 

@@ -3,8 +3,6 @@ noinst_LTLIBRARIES += libintegrate.la
 libintegrate_la_SOURCES = \
 	src/integrate/carried.c \
 	src/integrate/carried.h \
-	src/integrate/groups.c \
-	src/integrate/groups.h \
 	src/integrate/integrator.c \
 	src/integrate/integrator.h \
 	src/integrate/stability.c \

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* Collects the stiffness of contacts and finds the largest eigenvalue. Read stability.h first. */
 #include "integrate/stability.h"
-#include "contact/material.h"
-#include "contact/spin.h"
+#include "particles/material.h"
+#include "particles/spin.h"
 #include "core/memory.h"
 #include "integrate/timestep.h"
 #include <math.h>

@@ -2,11 +2,12 @@
 /* The limits of the step, pair of materials by pair. Read timestep.h first; the formulas are in
  * docs/physics.md. */
 #include "integrate/timestep.h"
+#include "core/memory.h"
 #include "contact/law_general.h"
 #include <math.h>
 
 /* Contacts of a particle with its like at a time, in three dimensions and in two. */
-enum { TIMESTEP_CONTACTS_3D = 12, TIMESTEP_CONTACTS_2D = 6, TIMESTEP_SIDES_MAX = 2048 };
+enum { TIMESTEP_CONTACTS_3D = 12, TIMESTEP_CONTACTS_2D = 6 };
 
 static const double timestep_overlap_relative = 1e-3;
 
@@ -40,7 +41,8 @@ double timestep_bound(double stiffness, double damping, double inverse_mass) {
 
 /* Surfaces of a pair of materials by their effective radius: those of two like spheres. */
 static struct law_surfaces timestep_surfaces(const struct law *law, int a, int b, double radius) {
-    return (struct law_surfaces){&law->pair[a][b], &law->extra[a][b], {2.0 * radius, 2.0 * radius}, radius};
+    return (struct law_surfaces){
+        law_pair_of(law, a, b), law_extra_of(law, a, b), {2.0 * radius, 2.0 * radius}, radius};
 }
 
 /* Those of a law with parts. */
@@ -53,12 +55,12 @@ static struct timestep_springs timestep_general(const struct law *law, const str
 struct timestep_springs timestep_springs(const struct law *law, int a, int b, double mass, double radius,
                                          double overlap) {
     const struct law_options *options = &law->options;
-    const struct law_coefficients *c = &law->pair[a][b];
+    const struct law_coefficients *c = law_pair_of(law, a, b);
     if (law->general) {
         struct law_surfaces surfaces = timestep_surfaces(law, a, b, radius);
         return timestep_general(law, &surfaces, mass, overlap);
     }
-    struct law_springs springs = law_springs_of(options, c, &law->extra[a][b], radius, overlap);
+    struct law_springs springs = law_springs_of(options, c, law_extra_of(law, a, b), radius, overlap);
     bool given = options->damping == LAW_DAMPING_COEFFICIENT;
     double base = given ? mass * springs.contact : sqrt(mass * springs.stiffness);
     struct timestep_springs s = {.k_n = springs.tangent, .c_n = c->c_n * base};
@@ -80,8 +82,8 @@ static struct timestep_meeting timestep_meet(const struct timestep_input *input,
                                  .radius = 1.0 / (1.0 / a->radius + 1.0 / b->radius)};
     int p = a->kind->material, q = b->kind->material;
     double least = input->overlap_relative > 0.0 ? input->overlap_relative : timestep_overlap_relative;
-    double reached =
-        law_impact_of(&law->options, &law->pair[p][q], &law->extra[p][q], m.mass, m.radius, input->speed_max);
+    double reached = law_impact_of(&law->options, law_pair_of(law, p, q), law_extra_of(law, p, q), m.mass,
+                                   m.radius, input->speed_max);
     if (law->general) {
         struct law_surfaces surfaces = timestep_surfaces(law, p, q, m.radius);
         reached += law_grip_rest(&law->options, &surfaces);
@@ -146,7 +148,7 @@ static int timestep_sides(const struct timestep_input *input, struct timestep_si
         const struct timestep_kind *kind = &input->kind[k];
         const double radius[2] = {kind->radius_min, kind->radius_max};
         int ends = kind->wall || !(kind->radius_max > kind->radius_min) ? 1 : 2;
-        for (int e = 0; e < ends && n < TIMESTEP_SIDES_MAX; e++) {
+        for (int e = 0; e < ends; e++) {
             struct timestep_side s = {.kind = kind, .radius = INFINITY, .stable = INFINITY};
             double relative = radius[e] / kind->radius_min;
             if (!kind->wall) {
@@ -174,9 +176,10 @@ static void timestep_consider(struct timestep_limits *limits, const struct times
 }
 
 /* Rayleigh's time pi r sqrt(density / G) / (0.1631 nu + 0.8766). */
-static double timestep_rayleigh(const struct law_material *m, double radius) {
+static double timestep_rayleigh(const struct law_material *m, double radius, double mass) {
     double shear = m->young / (2.0 * (1.0 + m->poisson));
-    return M_PI * radius * sqrt(m->density / shear) / (0.1631 * m->poisson + 0.8766);
+    double density = mass / (4.0 / 3.0 * M_PI * radius * radius * radius);
+    return M_PI * radius * sqrt(density / shear) / (0.1631 * m->poisson + 0.8766);
 }
 
 static bool timestep_meets(const struct timestep_side *a, const struct timestep_side *b) {
@@ -185,7 +188,7 @@ static bool timestep_meets(const struct timestep_side *a, const struct timestep_
 
 void timestep_limits(struct timestep_limits *limits, const struct timestep_input *input) {
     const struct law *law = input->law;
-    struct timestep_side side[TIMESTEP_SIDES_MAX];
+    struct timestep_side *side = memory_allocate(2 * (size_t)input->kinds, sizeof *side, "sorts of grains");
     int n = timestep_sides(input, side);
     double rayleigh = INFINITY;
     *limits = (struct timestep_limits){.stable = INFINITY, .contact_time = INFINITY};
@@ -199,16 +202,18 @@ void timestep_limits(struct timestep_limits *limits, const struct timestep_input
                 timestep_surround(input, &side[b], &side[a], &meeting);
             int p = side[a].kind->material, q = side[b].kind->material;
             limits->contact_time =
-                fmin(limits->contact_time, law_duration_of(&law->options, &law->pair[p][q], &law->extra[p][q],
-                                                           meeting.mass, meeting.radius, meeting.overlap));
+                fmin(limits->contact_time,
+                     law_duration_of(&law->options, law_pair_of(law, p, q), law_extra_of(law, p, q),
+                                     meeting.mass, meeting.radius, meeting.overlap));
         }
     for (int a = 0; a < n; a++)
         for (int b = a; b < n; b++)
             if (timestep_meets(&side[a], &side[b]))
                 timestep_consider(limits, &side[a], &side[b]);
+    memory_free(side);
     for (int k = 0; k < input->kinds; k++)
         if (input->law->moduli && !input->kind[k].wall)
             rayleigh = fmin(rayleigh, timestep_rayleigh(&input->material[input->kind[k].material],
-                                                        input->kind[k].radius_min));
+                                                        input->kind[k].radius_min, input->kind[k].mass_min));
     limits->rayleigh = isfinite(rayleigh) ? rayleigh : 0.0;
 }

@@ -51,7 +51,7 @@ bool scree_observe_begin(struct scree_simulation *simulation, bool resumed, stru
         return false;
     assert(simulation->kept == NULL || observables_columns(simulation->observables) == simulation->columns);
     simulation->columns = observables_columns(simulation->observables);
-    s->grains.sums_each_step = s->grains.sums_each_step || observables_need_work(simulation->observables);
+    s->sums_each_step = s->sums_each_step || observables_need_work(simulation->observables);
     return resumed || !scree_observe_due(simulation, s->clock.step, s->clock.time) ||
            scree_observe_record(simulation, error);
 }
@@ -76,38 +76,49 @@ void scree_observe_drop(struct scree_simulation *simulation) {
 }
 
 int scree_columns(const struct scree_simulation *simulation) {
-    return observables_columns(simulation->observables);
+    return simulation && simulation->observables ? observables_columns(simulation->observables) : 0;
+}
+
+static bool column_is(const struct scree_simulation *simulation, int column) {
+    return column >= 0 && column < scree_columns(simulation);
 }
 
 const char *scree_column_name(const struct scree_simulation *simulation, int column) {
-    return observables_column_name(simulation->observables, column);
+    return column_is(simulation, column) ? observables_column_name(simulation->observables, column) : NULL;
 }
 
 const char *scree_column_unit(const struct scree_simulation *simulation, int column) {
-    return observables_column_unit(simulation->observables, column);
+    return column_is(simulation, column) ? observables_column_unit(simulation->observables, column) : NULL;
 }
 
 bool scree_observe(struct scree_simulation *simulation, double *values, struct scree_error *error) {
     struct error own = {0};
+    if (!scree_parts_free(simulation, &own))
+        return scree_parts_tell(&own, error);
     int threads = scree_parts_enter(simulation);
     if (simulation->kept || compute(simulation, &own))
         memcpy(values, simulation->kept ? simulation->kept : observables_values(simulation->observables),
                (row_length(simulation) - 1) * sizeof(double));
-    scree_parts_leave(threads);
+    scree_parts_leave(simulation, threads);
     return scree_parts_tell(&own, error);
 }
 
 size_t scree_rows(const struct scree_simulation *simulation) {
-    return simulation->rows;
+    return simulation ? simulation->rows : 0;
 }
 
 const double *scree_row(const struct scree_simulation *simulation, size_t row) {
-    return simulation->row + row * row_length(simulation);
+    return row < scree_rows(simulation) ? simulation->row + row * row_length(simulation) : NULL;
 }
 
 bool scree_checkpoint(struct scree_simulation *simulation, const char *directory, struct scree_error *error) {
+    struct error own = {0};
+    if (!scree_parts_free(simulation, &own))
+        return scree_parts_tell(&own, error);
     struct simulation *s = simulation->state;
-    struct error own = simulation->error;
+    own = simulation->error;
+    if (directory == NULL)
+        error_set(&own, ERROR_USER, "a checkpoint needs a folder");
     int threads = scree_parts_enter(simulation);
     if (own.kind == ERROR_NONE) {
         s->sources.last_step = s->clock.step; /* nobody comes or goes here */
@@ -118,6 +129,6 @@ bool scree_checkpoint(struct scree_simulation *simulation, const char *directory
         comm_agree(s->comm, &own);
         simulation->run.directory = NULL;
     }
-    scree_parts_leave(threads);
+    scree_parts_leave(simulation, threads);
     return scree_parts_tell(&own, error);
 }

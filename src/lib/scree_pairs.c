@@ -4,7 +4,7 @@
 #include "core/memory.h"
 #include "core/version.h"
 #include "pairs/pairlist.h"
-#include "particles/classes.h"
+#include "pairs/classes_choose.h"
 #include <math.h>
 #include <omp.h>
 #include <stdio.h>
@@ -24,25 +24,41 @@ static bool refuse(char *why, size_t room, const char *text) {
     return false;
 }
 
+/* Lengths whose squares and cubes a double holds, and the largest ratio of lengths that its digits resolve. */
+enum { THREADS_MOST = 1024 };
+static const double length_least = 1e-100, length_most = 1e100, ratio_most = 1e15;
+
 static bool spheres_good(const struct scree_spheres *spheres, double margin, char *why, size_t room) {
     char text[256];
+    double smallest = length_most;
+    if (spheres == NULL || (spheres->count > 0 && (spheres->position == NULL || spheres->radius == NULL)))
+        return refuse(why, room, "there are no spheres");
+    for (size_t k = 0; k < spheres->count; k++)
+        if (spheres->radius[k] >= length_least && spheres->radius[k] < smallest)
+            smallest = spheres->radius[k];
     if (spheres->count >= (size_t)1 << PARTICLE_INDEX_BITS)
         return refuse(why, room, "more than 2^27 - 1 spheres");
     if (spheres->dimension != 2 && spheres->dimension != 3)
         return refuse(why, room, "dimension must be 2 or 3");
-    if (!(margin >= 0 && isfinite(margin)))
-        return refuse(why, room, "margin must be a number >= 0");
+    if (!(margin >= 0 && margin <= length_most))
+        return refuse(why, room, "margin must be a number from 0 to 1e100");
+    const double most = fmin(length_most, ratio_most * (smallest + margin));
     for (size_t k = 0; k < spheres->count; k++) {
         const double *x = spheres->position + 3 * k;
         double r = spheres->radius[k];
-        bool good = isfinite(x[0] + x[1] + x[2]) && r > 0 && isfinite(r);
+        bool good = r >= length_least && r <= most;
+        for (int d = 0; d < 3; d++)
+            good = good && fabs(x[d]) <= most;
         for (int d = 0; d < spheres->dimension; d++)
             good = good && (!spheres->periodic[d] ||
                             (x[d] >= 0 && x[d] < spheres->edge[d] && 2 * r + margin < spheres->edge[d]));
         if (good)
             continue;
-        snprintf(text, sizeof text, "sphere %zu: position %g %g %g, radius %g do not fit the box", k, x[0],
-                 x[1], x[2], r);
+        snprintf(text, sizeof text,
+                 "sphere %zu: position %g %g %g, radius %g do not fit the box, or are beyond 1e-100 to 1e100 "
+                 "or 1e15 times "
+                 "the smallest radius",
+                 k, x[0], x[1], x[2], r);
         return refuse(why, room, text);
     }
     return true;
@@ -113,8 +129,12 @@ bool scree_pairs(const char *name, const struct scree_spheres *spheres, double m
     const struct index_params params = {0};
     struct error error = {0};
     char reason[INDEX_WHY_MAX];
+    if (name == NULL || pairs == NULL || found == NULL)
+        return refuse(why, room, "there is no name of an index, or no place for the pairs");
     if (!spheres_good(spheres, margin, why, room))
         return false;
+    if (threads > THREADS_MOST)
+        return refuse(why, room, "more than 1024 threads");
     struct index *index = index_create(name, &params, &error);
     if (index == NULL)
         return refuse(why, room, error.text);

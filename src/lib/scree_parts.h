@@ -23,6 +23,7 @@ struct scree_simulation {
     struct observables *observables;
     int columns;  /* of the observables; all stages have the same */
     bool changed; /* the next step rebuilds */
+    bool busy;    /* a function of the library is at work, and may call those of the caller */
     double *row;  /* recorded rows, one after another */
     size_t rows, room;
     struct run_stages stages;
@@ -31,12 +32,16 @@ struct scree_simulation {
     char folder[FILE_PATH_MAX]; /* of the checkpoints between stages; "": they are deleted */
 };
 
+/* True if there is a simulation, and the call does not come from a function that the simulation itself has called; else false
+ * with an error (user). */
+bool scree_parts_free(const struct scree_simulation *simulation, struct error *error);
+
 /* Copies an error to the caller's, if there is one. True if there is no error. */
 bool scree_parts_tell(const struct error *own, struct scree_error *error);
 
-/* Starts a part of the work on the simulation's threads; returns the caller's number of threads, which scree_parts_leave
- * sets back. */
-int scree_parts_enter(const struct scree_simulation *simulation);
-void scree_parts_leave(int threads);
+/* Starts a part of the work on the simulation's threads, which is then busy; returns the caller's number of threads, which
+ * scree_parts_leave sets back. `simulation` NULL: it is gone. */
+int scree_parts_enter(struct scree_simulation *simulation);
+void scree_parts_leave(struct scree_simulation *simulation, int threads);
 
 #endif

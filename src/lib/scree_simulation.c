@@ -35,10 +35,13 @@ static struct scene *scene_make(const struct comm *comm, const char *file, const
     struct scene_setting *set =
         memory_allocate((size_t)(options->sets > 0 ? options->sets : 0), sizeof *set, "settings");
     for (int k = 0; k < options->sets; k++) {
-        set[k].text = options->set[k];
-        if (strchr(set[k].text, '=') == NULL)
-            error_set(error, ERROR_USER, "set %s: must read KEY=VALUE", set[k].text);
+        set[k].text = options->set ? options->set[k] : NULL;
+        if (set[k].text == NULL || strchr(set[k].text, '=') == NULL)
+            error_set(error, ERROR_USER, "set %s: must read KEY=VALUE",
+                      set[k].text ? set[k].text : "(nothing)");
     }
+    if (options->folder && strlen(options->folder) >= sizeof((struct scree_simulation *)0)->folder)
+        error_set(error, ERROR_USER, "the name of the folder for checkpoints is too long");
     if (error->kind == ERROR_NONE && file == NULL && text == NULL)
         error_set(error, ERROR_USER, "there is neither a file nor a text of a scene");
     if (error->kind == ERROR_NONE && text == NULL && scene_read_text(file, &read, NULL, error))
@@ -88,21 +91,24 @@ struct scree_simulation *scree_create(const char *file, const char *text, const 
     simulation->force_context = options->force_context;
     if (options->folder)
         snprintf(simulation->folder, sizeof simulation->folder, "%s", options->folder);
+    simulation->busy = true;
     bool joined = comm_join(&simulation->comm, options->communicator, &own);
-    if (joined && !fill(simulation, file, text, options, &own))
+    bool good = joined && fill(simulation, file, text, options, &own);
+    simulation->busy = false;
+    if (joined && !good)
         scree_destroy(&simulation);
     if (!joined) {
         memory_free(simulation);
         simulation = NULL;
     }
-    scree_parts_leave(threads);
+    scree_parts_leave(simulation, threads);
     scree_parts_tell(&own, error);
     return simulation;
 }
 
 void scree_destroy(struct scree_simulation **simulation) {
-    struct scree_simulation *s = *simulation;
-    if (s == NULL)
+    struct scree_simulation *s = simulation ? *simulation : NULL;
+    if (s == NULL || s->busy)
         return;
     int threads = scree_parts_enter(s);
     scree_observe_end(s);
@@ -116,7 +122,7 @@ void scree_destroy(struct scree_simulation **simulation) {
     memory_free(s->row);
     memory_free(s);
     *simulation = NULL;
-    scree_parts_leave(threads);
+    scree_parts_leave(NULL, threads);
 }
 
 /* One step, with its row if one is due. `last`: the sums of observables are wanted whatever the scene says. False if
@@ -141,6 +147,9 @@ static bool step(struct scree_simulation *simulation, bool last, struct error *e
 }
 
 bool scree_step(struct scree_simulation *simulation, uint64_t steps, struct scree_error *error) {
+    struct error refusal = {0};
+    if (!scree_parts_free(simulation, &refusal))
+        return scree_parts_tell(&refusal, error);
     struct error *own = &simulation->error;
     int threads = scree_parts_enter(simulation);
     bool good = own->kind == ERROR_NONE;
@@ -149,32 +158,43 @@ bool scree_step(struct scree_simulation *simulation, uint64_t steps, struct scre
     if (own->kind == ERROR_NONE)
         *own = simulation->state->error;
     comm_agree(&simulation->comm, own);
-    scree_parts_leave(threads);
+    scree_parts_leave(simulation, threads);
     return scree_parts_tell(own, error);
 }
 
+/* The state; NULL where there is none, or not yet. */
+static const struct simulation *state_of(const struct scree_simulation *simulation) {
+    return simulation ? simulation->state : NULL;
+}
+
 uint64_t scree_steps_left(const struct scree_simulation *simulation) {
-    uint64_t now = simulation->state->clock.step;
-    uint64_t last = scree_stages_over(simulation) ? now : run_last_step(simulation->state);
+    const struct simulation *s = state_of(simulation);
+    if (s == NULL || scree_stages_over(simulation))
+        return 0;
+    uint64_t now = s->clock.step, last = run_last_step(s);
     return last > now ? last - now : 0;
 }
 
 uint64_t scree_step_number(const struct scree_simulation *simulation) {
-    return simulation->state->clock.step;
+    const struct simulation *s = state_of(simulation);
+    return s ? s->clock.step : 0;
 }
 
 double scree_time(const struct scree_simulation *simulation) {
-    return simulation->state->clock.time;
+    const struct simulation *s = state_of(simulation);
+    return s ? s->clock.time : 0;
 }
 
 double scree_time_step(const struct scree_simulation *simulation) {
-    return simulation->state->clock.dt;
+    const struct simulation *s = state_of(simulation);
+    return s ? s->clock.dt : 0;
 }
 
 uint64_t scree_particles(const struct scree_simulation *simulation) {
-    return simulation->state->total;
+    const struct simulation *s = state_of(simulation);
+    return s ? s->total : 0;
 }
 
 const char *scree_scene(const struct scree_simulation *simulation) {
-    return simulation->run.scene;
+    return simulation && simulation->run.scene ? simulation->run.scene : "";
 }

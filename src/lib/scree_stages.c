@@ -143,8 +143,8 @@ bool scree_stages_advance(struct scree_simulation *simulation, struct error *err
 }
 
 const char *scree_stage(const struct scree_simulation *simulation) {
-    const struct scene *scene = simulation->scene;
-    if (scene->stages == 0 || scree_stages_over(simulation))
+    const struct scene *scene = simulation ? simulation->scene : NULL;
+    if (scene == NULL || simulation->state == NULL || scene->stages == 0 || scree_stages_over(simulation))
         return "";
     return scene->stage[simulation->state->stage.number].name;
 }

@@ -27,8 +27,7 @@ static void print_fields(const struct timers *stages, FILE *out) {
     frame_register_all(known);
     for (int f = 0; f < fields_count(known); f++) {
         struct frame_field field = frame_field_get(fields_get(known, f));
-        const char *dump = dump_columns_of(field.name, field.type, field.components),
-                   *quote = dump[0] ? "`" : "";
+        const char *dump = dump_columns_of(field.name, field.components), *quote = dump[0] ? "`" : "";
         char shape[32] = "N";
         if (field.spatial || field.components > 1)
             snprintf(shape, sizeof shape, field.spatial ? "N × D" : "N × %d", field.components);

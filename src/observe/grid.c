@@ -16,6 +16,9 @@
 /* Sums of a cell: number, mass, volume of solids, momentum, flux of momentum, static stress. */
 enum { NUMBER, MASS, SOLID, MOMENTUM, FLUX = MOMENTUM + 3, STATIC = FLUX + 6, SUMS = STATIC + 6 };
 
+/* Components of a symmetric tensor. */
+static const int row[6] = {0, 1, 2, 0, 0, 1}, column[6] = {0, 1, 2, 1, 2, 2};
+
 /* Points on the branch of a contact at which the kernel is taken, and the reach of a Gaussian in widths. */
 enum { POINTS = 10, REACH = 4 };
 
@@ -40,15 +43,20 @@ struct grid {
     double (*sum)[SUMS];
 };
 
-/* The corners: those given, or of the box as it is now. */
+/* The corners: those given, or of the box as it is now; and the images within the reach of a Gaussian. */
 static void place_corners(struct grid *g, const struct box *box) {
     const struct output_grid *options = g->options;
+    const struct box_motion *motion = &box->motion;
     for (int d = 0; d < 3; d++) {
         bool given = isfinite(options->lower[d]) && isfinite(options->upper[d]);
         g->lower[d] = given ? options->lower[d] : box->origin[d];
         g->edge[d] =
             ((given ? options->upper[d] : box->origin[d] + box->edge[d]) - g->lower[d]) / (double)g->cells[d];
+        bool wraps = d < box->dimension && box->periodic[d] && options->kernel == OUTPUT_KERNEL_GAUSS;
+        g->images[d] = wraps ? 1 + (int)ceil(REACH * options->width / box->edge[d]) : 0;
     }
+    if (motion->shears) /* those along the gradient stand up to an edge apart along the flow */
+        g->images[motion->flow] += g->images[motion->gradient];
 }
 
 static void along_add(struct along *along, size_t cell, double value) {
@@ -56,7 +64,7 @@ static void along_add(struct along *along, size_t cell, double value) {
     along->value[along->count++] = value;
 }
 
-/* Adds the part of a Gaussian around `x`, one image of the point, to the list. */
+/* Adds a Gaussian around `x` to the list. */
 static void along_gauss(struct grid *g, int d, double x) {
     double width = g->options->width, first = ceil((x - REACH * width - g->lower[d]) / g->edge[d] - 0.5);
     double last = floor((x + REACH * width - g->lower[d]) / g->edge[d] - 0.5);
@@ -69,8 +77,8 @@ static void along_gauss(struct grid *g, int d, double x) {
     }
 }
 
-/* Finds the kernel of a point, wrapped, in the user's coordinates, along a direction. */
-static void along_find(struct grid *g, const struct box *box, int d, double x) {
+/* Finds the kernel of a point, in the user's coordinates, along a direction; false if it is 0 at all cells. */
+static bool along_find(struct grid *g, const struct box *box, int d, double x) {
     struct along *along = &g->along[d];
     along->count = 0;
     if (d >= box->dimension) {
@@ -80,55 +88,85 @@ static void along_find(struct grid *g, const struct box *box, int d, double x) {
         if (place >= 0 && place < (double)g->cells[d])
             along_add(along, (size_t)place, 1 / g->edge[d]);
     } else {
-        for (int image = -g->images[d]; image <= g->images[d]; image++)
-            along_gauss(g, d, x + image * box->edge[d]);
+        along_gauss(g, d, x);
     }
+    return along->count > 0;
 }
 
-/* Adds numbers, times the kernel, to the cells around a box-relative point. */
-static void deposit(struct grid *g, const struct box *box, const double x[3], const double *value, int first,
-                    int count) {
-    double place[3] = {x[0], x[1], x[2]};
-    box_wrap(box, place);
-    for (int d = 0; d < 3; d++)
-        along_find(g, box, d, place[d] + box->origin[d]);
+/* A point that adds numbers to the cells around it and around its images. */
+struct point {
+    double x[3], v[3]; /* box-relative, in the box; the velocity belongs to this place */
+    int image[3];
+    double mass; /* 0: the numbers go with no velocity */
+    int first, count;
+    double value[STATIC]; /* `count` of them, to be added from the sum number `first` on */
+};
+
+/* Adds the numbers of one image of a point, times the kernel, to the cells. */
+static void spread(struct grid *g, const struct box *box, struct point *point) {
+    double v[3];
+    box_drift(box, point->image, v);
+    for (int d = 0; point->mass > 0 && d < 3; d++) {
+        v[d] += point->v[d];
+        point->value[MOMENTUM + d] = point->mass * v[d];
+    }
+    for (int c = 0; point->mass > 0 && c < 6; c++)
+        point->value[FLUX + c] = point->mass * v[row[c]] * v[column[c]];
     for (size_t a = 0; a < g->along[0].count; a++)
         for (size_t b = 0; b < g->along[1].count; b++)
             for (size_t c = 0; c < g->along[2].count; c++) {
                 size_t cell = (g->along[0].cell[a] * g->cells[1] + g->along[1].cell[b]) * g->cells[2] +
                               g->along[2].cell[c];
                 double kernel = g->along[0].value[a] * g->along[1].value[b] * g->along[2].value[c];
-                for (int k = 0; k < count; k++)
-                    g->sum[cell][first + k] += kernel * value[k];
+                for (int k = 0; k < point->count; k++)
+                    g->sum[cell][point->first + k] += kernel * point->value[k];
             }
+}
+
+/* Goes over the images of a point, direction by direction, from the gradient of a shear on, as its images stand elsewhere
+ * along the flow. */
+static void deposit_images(struct grid *g, const struct box *box, struct point *point, int depth) {
+    int d = ((box->motion.shears ? box->motion.gradient : 0) + depth) % 3;
+    if (depth == 3) {
+        spread(g, box, point);
+        return;
+    }
+    for (point->image[d] = -g->images[d]; point->image[d] <= g->images[d]; point->image[d]++) {
+        double shift[3];
+        box_shift(box, point->image, shift);
+        if (along_find(g, box, d, point->x[d] + shift[d] + box->origin[d]))
+            deposit_images(g, box, point, depth + 1);
+    }
+    point->image[d] = 0;
+}
+
+static void deposit(struct grid *g, const struct box *box, struct point *point) {
+    box_wrap(box, point->x, point->v);
+    deposit_images(g, box, point, 0);
 }
 
 static void add_particle(struct grid *g, const struct output_view *view, size_t i) {
     const struct particle_state *state = &view->particles->state[i];
-    double v[3], mass = 1 / state->inverse_mass, r = state->radius, value[STATIC];
-    static const int row[6] = {0, 1, 2, 0, 0, 1}, column[6] = {0, 1, 2, 1, 2, 2};
-    integrator_full_step(view->particles, view->motion, i, v, NULL);
-    value[NUMBER] = 1;
-    value[MASS] = mass;
-    value[SOLID] = view->box->dimension == 2 ? M_PI * r * r : 4 * M_PI / 3 * r * r * r;
-    for (int d = 0; d < 3; d++)
-        value[MOMENTUM + d] = mass * v[d];
-    for (int c = 0; c < 6; c++)
-        value[FLUX + c] = mass * v[row[c]] * v[column[c]];
-    deposit(g, view->box, state->x, value, 0, STATIC);
+    double r = state->radius;
+    struct point point = {.mass = 1 / state->inverse_mass, .count = STATIC};
+    integrator_full_step(view->particles, view->motion, i, point.v, NULL);
+    memcpy(point.x, state->x, sizeof point.x);
+    point.value[NUMBER] = 1;
+    point.value[MASS] = point.mass;
+    point.value[SOLID] = view->box->dimension == 2 ? M_PI * r * r : 4 * M_PI / 3 * r * r * r;
+    deposit(g, view->box, &point);
 }
 
 static void add_contact(struct grid *g, const struct output_view *view, const struct force_contact *contact) {
-    static const int row[6] = {0, 1, 2, 0, 0, 1}, column[6] = {0, 1, 2, 1, 2, 2};
     const double *l = contact->branch, *f = contact->force,
                  *from = view->particles->state[contact->number_i].x;
-    double value[6], x[3];
+    struct point point = {.first = STATIC, .count = 6};
     for (int c = 0; c < 6; c++)
-        value[c] = 0.5 * (l[row[c]] * f[column[c]] + l[column[c]] * f[row[c]]) / POINTS;
+        point.value[c] = 0.5 * (l[row[c]] * f[column[c]] + l[column[c]] * f[row[c]]) / POINTS;
     for (int p = 0; p < POINTS; p++) {
         for (int d = 0; d < 3; d++)
-            x[d] = from[d] + (p + 0.5) / POINTS * l[d];
-        deposit(g, view->box, x, value, STATIC, 6);
+            point.x[d] = from[d] + (p + 0.5) / POINTS * l[d];
+        deposit(g, view->box, &point);
     }
 }
 
@@ -153,7 +191,6 @@ static void fill(struct grid *g, const struct output_view *view) {
 }
 
 static void row_write(const struct grid *g, const struct output_view *view, size_t cell) {
-    static const int row[6] = {0, 1, 2, 0, 0, 1}, column[6] = {0, 1, 2, 1, 2, 2};
     const double *sum = g->sum[cell];
     size_t place[3] = {cell / (g->cells[1] * g->cells[2]), cell / g->cells[2] % g->cells[1],
                        cell % g->cells[2]};
@@ -184,6 +221,33 @@ bool grid_write(struct grid *g, const struct output_view *view, struct error *er
     return comm_agree(view->comm, error);
 }
 
+/* Reads the header of a file; false if it is another. */
+static bool header_suits(struct lines *lines, struct error *error) {
+    return (lines_next(lines) && strncmp(lines->text, header, sizeof header - 2) == 0) ||
+           error_set(error, ERROR_USER, "%s: is no file of a grid; choose another output directory",
+                     lines->path);
+}
+
+/* The path of a grid's file; false if it is too long. */
+static bool file_path(const struct output_grid *options, const char *directory, char path[FILE_PATH_MAX],
+                      struct error *error) {
+    char name[OUTPUT_NAME_MAX + 16];
+    snprintf(name, sizeof name, "grid-%s.csv", options->name);
+    return file_join(path, directory, name, error);
+}
+
+bool grid_suits(const struct output_grid *options, const char *directory, struct error *error) {
+    struct lines lines;
+    char path[FILE_PATH_MAX];
+    if (!file_path(options, directory, path, error))
+        return false;
+    if (file_size(path) <= 0)
+        return true;
+    bool good = lines_open(&lines, path, error) && header_suits(&lines, error);
+    lines_close(&lines);
+    return good;
+}
+
 /* Cuts a present file behind the last row up to a time. */
 static bool cut(const struct grid *g, double time, struct error *error) {
     struct lines lines;
@@ -191,23 +255,20 @@ static bool cut(const struct grid *g, double time, struct error *error) {
     double row;
     if (!lines_open(&lines, g->path, error))
         return false;
-    bool same = lines_next(&lines) && strncmp(lines.text, header, sizeof header - 2) == 0;
+    bool same = header_suits(&lines, error);
     end = lines_place(&lines);
     while (same && lines_next(&lines) && lines.whole && sscanf(lines.text, "%lf", &row) == 1 &&
            row <= time + 1e-12 * fabs(time))
         end = lines_place(&lines);
     lines_close(&lines);
     if (!same)
-        return error_set(error, ERROR_USER, "%s: is no file of a grid; choose another output directory",
-                         g->path);
+        return false;
     return truncate(g->path, end) == 0 ||
            error_set_errno(error, "%s: cannot be cut to go on with it", g->path);
 }
 
 static void file_open(struct grid *g, const char *directory, double resume_time, struct error *error) {
-    char name[OUTPUT_NAME_MAX + 16];
-    snprintf(name, sizeof name, "grid-%s.csv", g->options->name);
-    if (!file_join(g->path, directory, name, error))
+    if (!file_path(g->options, directory, g->path, error))
         return;
     bool go_on = resume_time >= 0 && file_size(g->path) > 0;
     if (go_on && !cut(g, resume_time, error))
@@ -228,11 +289,8 @@ bool grid_open(struct grid **grid, const struct output_grid *options, const stru
     g->total = 1;
     for (int d = 0; d < 3; d++) {
         g->cells[d] = d < box->dimension ? (size_t)options->cells[d] : 1;
-        bool wraps = d < box->dimension && box->periodic[d] && options->kernel == OUTPUT_KERNEL_GAUSS;
-        g->images[d] = wraps ? 1 + (int)ceil(REACH * options->width / box->edge[d]) : 0;
-        size_t room = (2 * (size_t)g->images[d] + 1) * g->cells[d];
-        g->along[d].cell = memory_allocate(room, sizeof *g->along[d].cell, "grid of fields");
-        g->along[d].value = memory_allocate(room, sizeof *g->along[d].value, "grid of fields");
+        g->along[d].cell = memory_allocate(g->cells[d], sizeof *g->along[d].cell, "grid of fields");
+        g->along[d].value = memory_allocate(g->cells[d], sizeof *g->along[d].value, "grid of fields");
         g->total *= g->cells[d];
     }
     g->sum = memory_allocate(g->total, sizeof *g->sum, "grid of fields");

@@ -18,6 +18,9 @@
 /* A grid with its file. */
 struct grid;
 
+/* True if the file of a grid in `directory` has its columns, or is not there or empty. Changes nothing; one rank. */
+bool grid_suits(const struct output_grid *options, const char *directory, struct error *error);
+
 /* Checks a grid and opens its file in `directory`; on a resume (`resume_time` >= 0) rows after that time are cut off.
  * `options` is borrowed. Fails (user) on a file with other columns. Collective. */
 bool grid_open(struct grid **grid, const struct output_grid *options, const struct output_view *view,

@@ -367,13 +367,29 @@ static bool check_columns(const struct observables *o, struct error *error) {
                              "observables: a column would be called \"%s\", longer than %d characters; give "
                              "it a label that is shorter",
                              o->column[c].name, OUTPUT_NAME_MAX - 1);
-    for (int a = 0; a < o->columns; a++)
-        for (int b = 0; b < a; b++)
-            if (strcmp(o->column[a].name, o->column[b].name) == 0)
-                return error_set(
-                    error, ERROR_USER,
-                    "observables: two columns would be called \"%s\"; give one of them another label",
-                    o->column[a].name);
+    return true;
+}
+
+/* Refuses a column of the newest request whose name an earlier column has. `end`: the number of columns after each
+ * request; `number`: of the newest. */
+static bool check_names(const struct observables *o, const int *end, int number, struct error *error) {
+    for (int a = number > 0 ? end[number - 1] : 0; a < o->columns; a++)
+        for (int b = 0; b < a; b++) {
+            int first = 0;
+            if (strcmp(o->column[a].name, o->column[b].name) != 0)
+                continue;
+            while (end[first] <= b)
+                first++;
+            if (first == number)
+                return error_set(error, ERROR_USER,
+                                 "observables: list[%d] has two columns that would be called \"%s\"", number,
+                                 o->column[a].name);
+            return error_set(error, ERROR_USER,
+                             "observables: a column of list[%d] would be called \"%s\", as one of list[%d] "
+                             "is; give one of "
+                             "them another label",
+                             number, o->column[a].name, first);
+        }
     return true;
 }
 
@@ -393,8 +409,13 @@ bool observables_create(struct observables **observables, const struct observabl
     struct resolving r = {.o = o, .view = view, .run = run};
     int count = options->count ? options->count : (int)(sizeof by_default / sizeof by_default[0]);
     bool good = true;
-    for (int k = 0; good && k < count; k++)
+    int *end = memory_allocate((size_t)count, sizeof *end, "observables");
+    for (int k = 0; good && k < count; k++) {
         good = add_request(&r, options->count ? &options->request[k] : &by_default[k], error);
+        end[k] = o->columns;
+        good = good && check_names(o, end, k, error);
+    }
+    memory_free(end);
     if (!good || !check_columns(o, error)) {
         observables_destroy(observables);
         return false;

@@ -44,6 +44,9 @@ bool observables_create(struct observables **observables, const struct observabl
                         const struct output_view *view, const struct output_run *run, struct error *error);
 void observables_destroy(struct observables **observables);
 
+/* True if DIR/observables.csv has the header of these observables, or is not there or empty. Changes nothing; one rank. */
+bool observables_suit(const struct observables *observables, const char *directory, struct error *error);
+
 /* Opens DIR/observables.csv and writes the header; on a resume (`resume_time` >= 0) rows after that time are
  * cut off, and the header must be the same. Rank 0 handles the file; all ranks get the same result.
  * Collective. */

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* Observables of the whole run: energies, momenta, stress, counts. */
 #include "observe/observables_kinds.h"
-#include "contact/spin.h"
-#include "integrate/groups.h"
+#include "particles/spin.h"
+#include "particles/groups.h"
 #include "particles/kinds.h"
 
 #include <math.h>
@@ -12,15 +12,20 @@ static double dot(const double a[3], const double b[3]) {
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
-/* Position in the user's coordinates, not wrapped where crossings are counted. */
-static void unwrapped(const struct output_view *view, size_t i, double x[3]) {
+/* Position in the user's coordinates, not wrapped where crossings are counted; the velocity `v` of the particle becomes that of
+ * this image (NULL: not wanted). */
+static void unwrapped(const struct output_view *view, size_t i, double x[3], double *v) {
     const struct particles *p = view->particles;
     int32_t(*const image)[3] = particles_images(p);
-    double shift[3] = {0, 0, 0};
+    double shift[3] = {0, 0, 0}, change[3] = {0, 0, 0};
     if (image)
         box_unwrap(view->box, image[i], shift);
+    if (image && v && view->box->motion.moves)
+        box_unwrap_velocity(view->box, image[i], change);
     for (int d = 0; d < 3; d++)
         x[d] = p->state[i].x[d] + view->box->origin[d] + shift[d];
+    for (int d = 0; v && d < 3; d++)
+        v[d] += change[d];
 }
 
 static bool is_free(const struct particles *particles, size_t i) {
@@ -34,11 +39,16 @@ static const struct carried_pose *body_of(const struct output_view *view, size_t
     return carried && kind && kind[i] == KIND_BODY ? &carried->pose[carried->pose_of[i]] : NULL;
 }
 
+static bool is_carried(const struct output_view *view, size_t i) {
+    const struct carried *carried = view->motion->carried;
+    return carried && carried->pose_of[i] >= 0;
+}
+
 static void add_kinetic(const struct output_view *view, const struct observable_item *item, size_t i,
                         double *part) {
     (void)item;
     double v[3];
-    integrator_full_step(view->particles, view->motion, i, v, NULL);
+    observables_velocity_of_body(view, i, v);
     if (is_free(view->particles, i))
         part[0] += 0.5 * dot(v, v) / view->particles->state[i].inverse_mass;
 }
@@ -48,12 +58,18 @@ static void add_rotational(const struct output_view *view, const struct observab
     (void)item;
     const struct particle_state *state = &view->particles->state[i];
     const struct carried_pose *body = body_of(view, i);
-    double v[3], w[3];
+    double v[3], w[3], centre[3], square = 0;
     if (body)
         part[0] += body->energy;
     if (!spin_of(view->particles) || !is_free(view->particles, i))
         return;
     integrator_full_step(view->particles, view->motion, i, v, w);
+    if (is_carried(view, i)) {
+        observables_velocity_of_body(view, i, centre);
+        for (int d = 0; d < 3; d++)
+            square += (v[d] - centre[d]) * (v[d] - centre[d]);
+    }
+    part[0] += 0.5 * square / state->inverse_mass;
     part[0] += 0.2 * state->radius * state->radius * dot(w, w) / state->inverse_mass; /* I = 2/5 m r^2 */
 }
 
@@ -61,7 +77,7 @@ static void add_gravity(const struct output_view *view, const struct observable_
                         double *part) {
     (void)item;
     double x[3];
-    unwrapped(view, i, x);
+    unwrapped(view, i, x, NULL);
     if (is_free(view->particles, i))
         part[0] -= dot(view->motion->gravity, x) / view->particles->state[i].inverse_mass;
 }
@@ -70,7 +86,7 @@ static void add_momentum(const struct output_view *view, const struct observable
                          double *part) {
     (void)item;
     double v[3];
-    integrator_full_step(view->particles, view->motion, i, v, NULL);
+    observables_velocity(view, i, v, NULL);
     for (int d = 0; is_free(view->particles, i) && d < 3; d++)
         part[d] += v[d] / view->particles->state[i].inverse_mass;
 }
@@ -85,8 +101,8 @@ static void add_angular_momentum(const struct output_view *view, const struct ob
         part[d] += body->rest[d];
     if (!is_free(view->particles, i))
         return;
-    unwrapped(view, i, x);
     integrator_full_step(view->particles, view->motion, i, v, spin_of(view->particles) ? w : NULL);
+    unwrapped(view, i, x, v);
     for (int d = 0; d < 3; d++) {
         int e = (d + 1) % 3, f = (d + 2) % 3;
         part[d] +=
@@ -98,7 +114,7 @@ static void add_centre(const struct output_view *view, const struct observable_i
                        double *part) {
     (void)item;
     double x[3], mass = groups_mass(view->particles, i);
-    unwrapped(view, i, x);
+    unwrapped(view, i, x, NULL);
     for (int d = 0; d < 3; d++)
         part[d] += mass * x[d];
     part[3] += mass;
@@ -120,7 +136,7 @@ static void take_speed(const struct output_view *view, const struct observable_i
                        double *part) {
     (void)item;
     double v[3];
-    integrator_full_step(view->particles, view->motion, i, v, NULL);
+    observables_velocity(view, i, v, NULL);
     part[0] = fmax(part[0], sqrt(dot(v, v)));
 }
 
@@ -226,21 +242,23 @@ static bool has_history(const struct output_view *view) {
 }
 
 static bool has_gravity(const struct output_view *view) {
-    return dot(view->motion->gravity, view->motion->gravity) > 0;
+    return view->staged || dot(view->motion->gravity, view->motion->gravity) > 0;
 }
 
 static bool has_walls(const struct output_view *view) {
-    return view->walls && walls_count(view->walls) > 0;
+    return view->staged || (view->walls && walls_count(view->walls) > 0);
 }
 
 #define ALL(name, family, unit, components, help)                                                            \
     { name, family, unit, help, OBSERVABLE_OF_ALL, components, NULL }
 
 static const struct observable_kind kinds[] = {
-    {.info = ALL("energy_kinetic", "energy", "J", 1, "translational energy of the free particles"),
+    {.info = ALL("energy_kinetic", "energy", "J", 1,
+                 "translational energy of the free particles; of bodies, that of their centres"),
      .parts = 1,
      .of_particle = add_kinetic},
-    {.info = ALL("energy_rotational", "energy", "J", 1, "rotational energy of the free particles"),
+    {.info = ALL("energy_rotational", "energy", "J", 1,
+                 "rotational energy of the free particles; of bodies, all but that of their centres"),
      .parts = 1,
      .of_all_kinds = true,
      .of_particle = add_rotational,

@@ -3,11 +3,11 @@
  * another expression selects, and how well the selected particles are mixed with the others. Read observables_kinds.h and expression.h first. */
 #include "observe/expression.h"
 #include "observe/observables_kinds.h"
-#include "contact/material.h"
-#include "contact/spin.h"
+#include "particles/material.h"
+#include "particles/spin.h"
 #include "core/exact.h"
 #include "core/memory.h"
-#include "integrate/groups.h"
+#include "particles/groups.h"
 #include "particles/fields.h"
 #include "particles/kinds.h"
 
@@ -106,11 +106,10 @@ static void fill(struct observable_expression *e, const struct output_view *view
     const double *force = p->force + i * (size_t)p->force_stride;
     const uint8_t *material = material_numbers(p), *group = groups_of(p);
     double x[3], v[3], w[3] = {0};
-    memcpy(x, p->state[i].x, sizeof x);
-    box_wrap(view->box, x);
-    integrator_full_step(p, view->motion, i, v, spin_of(p) ? w : NULL);
+    observables_place(view, i, x);
+    observables_velocity(view, i, v, spin_of(p) ? w : NULL);
     for (int d = 0; d < 3; d++) {
-        put(e, X + d, place, x[d] + view->box->origin[d]);
+        put(e, X + d, place, x[d]);
         put(e, VX + d, place, v[d]);
         put(e, FX + d, place, force[d]);
         put(e, WX + d, place, w[d]);
@@ -209,7 +208,7 @@ static size_t cell_of(const struct observable_expression *e, const struct output
     double x[3];
     size_t cell = 0;
     memcpy(x, view->particles->state[i].x, sizeof x);
-    box_wrap(view->box, x);
+    box_wrap(view->box, x, NULL);
     for (int d = 0; d < 3; d++) {
         double at = floor(x[d] / view->box->edge[d] * (double)e->cells[d]);
         at = fmin(fmax(at, 0), (double)(e->cells[d] - 1));

@@ -9,7 +9,7 @@
  *      which scenes a family has the row; a request by its name is always served, so the function must do
  *      without its field.
  *   3. `make pages` writes docs/output.md.
- * Velocities of the state are those of half a step before: integrator_full_step gives those of the moment. */
+ * Velocities of the state are those of half a step before: observables_velocity gives those of the moment. */
 #ifndef SCREE_OBSERVE_OBSERVABLES_KINDS_H
 #define SCREE_OBSERVE_OBSERVABLES_KINDS_H
 
@@ -101,11 +101,23 @@ const struct observable_kind *observables_single(int k);
 int observables_kinds_count(void);
 const struct observable_kind *observables_kind(int k);
 
+/* The place of particle i, or of copy i, in the box (user's coordinates). Copies stand beyond the box, and particles may, between
+ * rebuilds. */
+void observables_place(const struct output_view *view, size_t i, double x[3]);
+
+/* The velocity of owned particle i, and the spin (NULL: not wanted), at the moment of its place: in a box that moves, that of the
+ * image in the box, as images have velocities of their own. */
+void observables_velocity(const struct output_view *view, size_t i, double velocity[3], double omega[3]);
+
+/* The velocity of the body that carries owned particle i, at its centre and at the same moment; of a grain that moves by itself
+ * observables_velocity. The masses of a body's members are that of the body. */
+void observables_velocity_of_body(const struct output_view *view, size_t i, double velocity[3]);
+
 /* True if a point (user's coordinates) lies in a region. */
 bool observables_region_contains(const struct output_region *region, const double x[3]);
 
 /* True if particle i, or copy i, is of the item's material and lies in its region (no region: any particle).
- * Positions are wrapped first: copies stand beyond the box, and particles may, between rebuilds. */
+ * The place is that of observables_place. */
 bool observables_item_counts(const struct output_view *view, const struct observable_item *item, size_t i);
 
 /* Reads the expressions of a request, whose variables are the fields of the view's particles. Fails (user) with the names

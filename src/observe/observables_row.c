@@ -183,21 +183,36 @@ static bool same_header(const struct observables *o, const char *line) {
     return same;
 }
 
+/* Reads the header of a file, if it has one; false if it is another. */
+static bool header_suits(const struct observables *o, struct lines *lines, struct error *error) {
+    return !lines_next(lines) || same_header(o, lines->text) ||
+           error_set(error, ERROR_USER,
+                     "%s: has other columns than this run writes; choose another output directory",
+                     lines->path);
+}
+
+bool observables_suit(const struct observables *o, const char *directory, struct error *error) {
+    struct lines lines;
+    char path[FILE_PATH_MAX];
+    if (!file_join(path, directory, "observables.csv", error))
+        return false;
+    if (file_size(path) <= 0)
+        return true;
+    bool good = lines_open(&lines, path, error) && header_suits(o, &lines, error);
+    lines_close(&lines);
+    return good;
+}
+
 /* Cuts a present file behind the last whole row up to a time. */
 static bool cut_file(struct observables *o, double time, struct error *error) {
     struct lines lines;
     if (!lines_open(&lines, o->path, error))
         return false;
-    int64_t end = 0;
-    if (lines_next(&lines)) {
-        if (!same_header(o, lines.text)) {
-            error_set(error, ERROR_USER,
-                      "%s: has other columns than this run writes; choose another output directory", o->path);
-            lines_close(&lines);
-            return false;
-        }
-        end = lines.whole ? lines_place(&lines) : 0;
+    if (!header_suits(o, &lines, error)) {
+        lines_close(&lines);
+        return false;
     }
+    int64_t end = lines.whole ? lines_place(&lines) : 0;
     double row;
     while (lines_next(&lines) && lines.whole && sscanf(lines.text, "%lf", &row) == 1 &&
            row <= time + 1e-12 * fabs(time)) {

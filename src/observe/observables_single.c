@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* Observables of one wall, one particle, one region. */
 #include "observe/observables_kinds.h"
-#include "contact/material.h"
-#include "contact/spin.h"
+#include "particles/material.h"
+#include "particles/spin.h"
 
 #include <math.h>
 #include <string.h>
@@ -57,8 +57,7 @@ static void position_of_one(const struct observable_context *context, struct obs
     if (!find_particle(context, item))
         return;
     part[3] = 1;
-    for (int d = 0; d < 3; d++)
-        part[d] = context->view->particles->state[item->number].x[d] + context->view->box->origin[d];
+    observables_place(context->view, item->number, part);
 }
 
 static void velocity_of_one(const struct observable_context *context, struct observable_item *item,
@@ -66,7 +65,7 @@ static void velocity_of_one(const struct observable_context *context, struct obs
     if (!find_particle(context, item))
         return;
     part[3] = 1;
-    integrator_full_step(context->view->particles, context->view->motion, item->number, part, NULL);
+    observables_velocity(context->view, item->number, part, NULL);
 }
 
 static void spin_of_one(const struct observable_context *context, struct observable_item *item,
@@ -95,6 +94,29 @@ static void finish_one(const struct output_view *view, const struct observable_i
         part[d] = part[3] > 0 ? part[d] : NAN;
 }
 
+void observables_place(const struct output_view *view, size_t i, double x[3]) {
+    memcpy(x, view->particles->state[i].x, 3 * sizeof *x);
+    box_wrap(view->box, x, NULL);
+    for (int d = 0; d < 3; d++)
+        x[d] += view->box->origin[d];
+}
+
+void observables_velocity(const struct output_view *view, size_t i, double velocity[3], double omega[3]) {
+    double x[3];
+    integrator_full_step(view->particles, view->motion, i, velocity, omega);
+    memcpy(x, view->particles->state[i].x, sizeof x);
+    if (view->box->motion.moves)
+        box_wrap(view->box, x, velocity);
+}
+
+void observables_velocity_of_body(const struct output_view *view, size_t i, double velocity[3]) {
+    const struct carried *carried = view->motion->carried;
+    if (carried && carried->pose_of[i] >= 0)
+        memcpy(velocity, carried->pose[carried->pose_of[i]].full_v, 3 * sizeof *velocity);
+    else
+        observables_velocity(view, i, velocity, NULL);
+}
+
 bool observables_region_contains(const struct output_region *region, const double x[3]) {
     if (region->shape == OUTPUT_REGION_BOX) {
         bool inside = true;
@@ -117,16 +139,12 @@ bool observables_region_contains(const struct output_region *region, const doubl
 }
 
 bool observables_item_counts(const struct output_view *view, const struct observable_item *item, size_t i) {
-    const struct box *box = view->box;
     if (item->region == NULL)
         return true;
     if (item->material >= 0 && material_of(material_numbers(view->particles), i) != item->material)
         return false;
     double x[3];
-    memcpy(x, view->particles->state[i].x, sizeof x);
-    box_wrap(box, x);
-    for (int d = 0; d < 3; d++)
-        x[d] += box->origin[d];
+    observables_place(view, i, x);
     return observables_region_contains(item->region, x);
 }
 

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* Observables of the state of a packing, whether it rests and how it fills, and of the particles that came and went.
  * Read observables_kinds.h first. */
-#include "integrate/groups.h"
+#include "particles/groups.h"
 #include "observe/crossing.h"
 #include "observe/observables_kinds.h"
 
@@ -16,7 +16,7 @@ static void add_kinetic_mean(const struct output_view *view, const struct observ
     double v[3], inverse = view->particles->state[i].inverse_mass;
     if (!(inverse > 0) || !observables_item_counts(view, item, i))
         return;
-    integrator_full_step(view->particles, view->motion, i, v, NULL);
+    observables_velocity_of_body(view, i, v);
     part[0] += 0.5 * (v[0] * v[0] + v[1] * v[1] + v[2] * v[2]) / inverse;
     part[1] += 1;
 }
@@ -142,7 +142,8 @@ static void crossed_mass_before(const struct observable_context *context, struct
 
 static const struct observable_kind kinds[] = {
     {.info = OF(ALL_OR_REGION, "energy_kinetic_mean", "", "J",
-                "translational energy of a free particle, mean of all or of those in a region"),
+                "translational energy of a free particle, mean of all or of those in a region; a member of a "
+                "body moves as its centre"),
      .parts = 2,
      .of_particle = add_kinetic_mean,
      .finish = finish_mean},

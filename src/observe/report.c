@@ -16,6 +16,7 @@ void report_destroy(struct report *report) {
     memory_free(report->ghosts);
     memory_free(report->messages);
     memory_free(report->bytes);
+    memory_free(report->insertion);
     *report = (struct report){0};
 }
 

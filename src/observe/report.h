@@ -12,7 +12,6 @@
 enum {
     REPORT_LEVELS_MAX = CLASS_MAX,
     REPORT_NAME_MAX = 64,
-    REPORT_INSERTIONS_MAX = 32,
     REPORT_SOLVERS_MAX = 8,
     REPORT_SCENE_STAGES_MAX = 32
 };
@@ -35,6 +34,8 @@ struct report_class {
 struct report_insertion {
     char name[REPORT_NAME_MAX];
     uint64_t asked, placed;
+    uint64_t
+        lost; /* of those placed since the last start or resume: outside of the box, which deletes them */
 };
 
 /* A stage of the scene that this program has run, wholly or in part. */
@@ -113,8 +114,8 @@ struct report {
     uint64_t memory_peak;      /* largest peak resident set of a rank, bytes */
     uint64_t inserted, deleted;
     int insertions;
-    struct report_insertion insertion[REPORT_INSERTIONS_MAX];
-    int scene_stages; /* 0: the scene has none */
+    struct report_insertion *insertion; /* owned */
+    int scene_stages;                   /* 0: the scene has none */
     struct report_scene_stage scene_stage[REPORT_SCENE_STAGES_MAX];
     uint64_t seed;
     bool dimensionless;

@@ -76,8 +76,11 @@ static const char *cpu(const void *report, char *text, size_t room) {
 
 static const char *insertion_note(const void *base, char *text, size_t room) {
     const struct report_insertion *insertion = base;
-    (void)text;
-    (void)room;
+    if (insertion->lost > 0) {
+        snprintf(text, room, ": NOTE: %llu of them outside of the box, which deletes them (box.leave)",
+                 (unsigned long long)insertion->lost);
+        return text;
+    }
     return (double)insertion->placed < 0.9 * (double)insertion->asked
                ? ": NOTE: its region is too full for the rest, or walls stand in it"
                : "";
@@ -158,8 +161,10 @@ static const struct report_row insertion_rows[] = {
      .help = "particles that were due at the last look at the region, since the start of the run"},
     {.name = "placed", .unit = "1", .type = REPORT_COUNT, AT(struct report_insertion, placed),
      .help = "the particles that found a place among these"},
+    {.name = "lost", .unit = "1", .type = REPORT_COUNT, AT(struct report_insertion, lost),
+     .help = "the particles among these that this run placed outside of the box, which deletes them (`box.leave`)"},
     {.name = "note", .unit = "", .type = REPORT_TEXT, .text = insertion_note, .terminal = true,
-     .help = "a note if more than a tenth of the due particles found no place"},
+     .help = "a note if particles were lost, or more than a tenth of those due found no place"},
     {0}};
 
 static const struct report_row stage_rows[] = {
@@ -319,7 +324,7 @@ const struct report_row report_rows[] = {
      .help = "grids of the index, from small to large; empty without grids"},
     {.name = "classes", .unit = "", .type = REPORT_LIST, LIST(size_class, classes), .rows = class_rows,
      .help = "size classes, from small to large"},
-    {.name = "insertions", .unit = "", .type = REPORT_LIST, LIST(insertion, insertions), .rows = insertion_rows,
+    {.name = "insertions", .unit = "", .type = REPORT_LIST, LIST(insertion, insertions), .apart = true, .rows = insertion_rows,
      .help = "regions of the scene's `insertions`, in the order of the scene"},
     {.name = "scene_stages", .unit = "", .type = REPORT_LIST, LIST(scene_stage, scene_stages), .rows = scene_stage_rows,
      .shown = has_stages,
@@ -351,7 +356,10 @@ int report_row_entries(const struct report_row *row, const struct report *report
 }
 
 const void *report_row_entry(const struct report_row *row, const struct report *report, int k) {
-    return (const char *)report + row->offset + (size_t)k * row->size;
+    const char *first = (const char *)report + row->offset;
+    if (row->apart)
+        first = *(const char *const *)(const void *)first;
+    return first + (size_t)k * row->size;
 }
 
 uint64_t report_row_count(const struct report_row *row, const void *base) {

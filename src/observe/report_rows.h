@@ -39,6 +39,7 @@ struct report_row {
     bool (*shown)(const struct report *report); /* in report.json only if true; NULL: always */
     const struct report_row *rows;              /* GROUP, LIST, STAGES */
     size_t size, count_offset; /* LIST: bytes of a struct; offset of the int that counts the structs */
+    bool apart;                /* LIST: at the offset is a pointer to the structs */
 };
 
 /* All entries, in the order of report.json; a row without a name ends them. */

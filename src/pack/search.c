@@ -3,6 +3,7 @@
 #include "pack/search.h"
 
 #include "core/memory.h"
+#include "pairs/classes_choose.h"
 
 #include <math.h>
 #include <string.h>

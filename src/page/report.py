@@ -199,7 +199,8 @@ class Page:
             self.add("All numbers", f"<details><summary>report.json</summary>{html_table(['key', 'value'], rest)}</details>\n")
 
     def text(self, title):
-        data = json.dumps(self.plots, allow_nan=False).replace("</", "<\\/")
+        # no "<" stands raw: "<!--" and "<script" would change what the browser takes for the end of the data
+        data = json.dumps(self.plots, allow_nan=False).replace("<", "\\u003c")
         style = read(os.path.join(HERE, "uPlot.min.css")) + read(os.path.join(HERE, "page.css"))
         licence = read(os.path.join(HERE, "uPlot.LICENSE"))
         return (f'<!DOCTYPE html>\n<html lang="en">\n<head>\n<meta charset="utf-8">\n'

@@ -3,6 +3,7 @@
 #include "pairs/history.h"
 #include "core/memory.h"
 #include "core/scan.h"
+#include "pairs/rowset.h"
 #include <assert.h>
 #include <math.h>
 #include <string.h>
@@ -43,6 +44,29 @@ static void part_reserve(struct history_part *part, int components, size_t conta
 
 void history_reserve(struct history *history, int thread, size_t contacts) {
     part_reserve(&history->part[1 - history->now][thread], history->components, contacts);
+}
+
+const struct history_part *history_part_of(const struct history *history, const struct pairlist *list,
+                                           size_t first) {
+    for (int t = 0; history && t < list->threads; t++) {
+        int block = list->thread_block[t];
+        if (block < list->thread_block[t + 1] && list->blocks[block].first_pair == first)
+            return &history->part[history->now][t];
+    }
+    return NULL;
+}
+
+const double *history_record(const struct history *history, const struct history_part *part, uint32_t pair) {
+    size_t low = 0, high = part ? part->count : 0;
+    while (low < high) {
+        size_t middle = low + (high - low) / 2;
+        if (part->pair[middle] < pair)
+            low = middle + 1;
+        else
+            high = middle;
+    }
+    bool found = part && low < part->count && part->pair[low] == pair;
+    return found ? part->value + low * (size_t)history->components : NULL;
 }
 
 void history_flip(struct history *history) {
@@ -266,34 +290,22 @@ void history_loose_free(struct history_loose *loose) {
     *loose = (struct history_loose){0};
 }
 
+/* The rows without their type. */
+static struct rowset rows_of(const struct history_rows *rows) {
+    return (struct rowset){
+        .start = rows->start, .row = rows->row, .count = rows->count, .bytes = sizeof *rows->row};
+}
+
 void history_rows_reorder(struct history_rows *rows, const uint32_t *order, size_t owned) {
-    size_t *start = memory_allocate(owned + 1, sizeof *start, "history rows");
-    struct history_row *row = memory_allocate(rows->count, sizeof *row, "history rows");
-#pragma omp parallel for schedule(static)
-    for (size_t k = 0; k < owned; k++)
-        start[k] = rows->start[order[k] + 1] - rows->start[order[k]];
-    scan_sizes(start, owned, start);
-#pragma omp parallel for schedule(static)
-    for (size_t k = 0; k < owned; k++)
-        memcpy(row + start[k], rows->row + rows->start[order[k]], (start[k + 1] - start[k]) * sizeof *row);
-    memory_free(rows->start);
-    memory_free(rows->row);
-    rows->start = start;
-    rows->row = row;
+    struct rowset all = rows_of(rows);
+    rowset_reorder(&all, order, owned);
+    *rows = (struct history_rows){all.start, all.row, all.count};
 }
 
 void history_rows_remove(struct history_rows *rows, const uint8_t *remove, size_t owned) {
-    size_t kept = 0, at = 0;
-    for (size_t k = 0; k < owned; k++) {
-        size_t first = rows->start[k], count = rows->start[k + 1] - first;
-        if (remove[k])
-            continue;
-        memmove(rows->row + at, rows->row + first, count * sizeof *rows->row);
-        rows->start[kept++] = at;
-        at += count;
-    }
-    rows->start[kept] = at;
-    rows->count = at;
+    struct rowset all = rows_of(rows);
+    rowset_remove(&all, remove, owned);
+    rows->count = all.count;
 }
 
 /* Data of an attach. */

@@ -69,6 +69,14 @@ void history_destroy(struct history **history);
  * itself, before the loop. */
 void history_reserve(struct history *history, int thread, size_t contacts);
 
+/* The records of the last evaluation, those of the thread whose pairs begin with number `first` of the list; NULL: there are
+ * none. */
+const struct history_part *history_part_of(const struct history *history, const struct pairlist *list,
+                                           size_t first);
+
+/* The record of a pair, a number less the thread's first; NULL: it has none. */
+const double *history_record(const struct history *history, const struct history_part *part, uint32_t pair);
+
 /* Exchanges the two buffers: the written one becomes `now`. One thread. */
 void history_flip(struct history *history);
 

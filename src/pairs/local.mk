@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 noinst_LTLIBRARIES += libpairs.la
 libpairs_la_SOURCES = \
+	src/pairs/classes_choose.c src/pairs/classes_choose.h \
 	src/pairs/history.c src/pairs/history.h \
 	src/pairs/history_follow.c src/pairs/history_follow.h \
 	src/pairs/history_keep.c src/pairs/history_keep.h \
@@ -8,6 +9,7 @@ libpairs_la_SOURCES = \
 	src/pairs/pairlist.c src/pairs/pairlist.h \
 	src/pairs/pairlist_shares.c src/pairs/pairlist_build.c src/pairs/pairlist_build.h \
 	src/pairs/ring.c src/pairs/ring.h \
+	src/pairs/rowset.c src/pairs/rowset.h \
 	src/pairs/skin.c src/pairs/skin.h \
 	src/pairs/skin_choice.c src/pairs/skin_choice.h \
 	src/pairs/sweep.c src/pairs/sweep.h \

@@ -100,8 +100,8 @@ static struct walk_fetch walk_fetch_of(const struct walk_work *work, int thread,
     if (work->ring == NULL || block + 1 == work->list->thread_block[thread + 1])
         return (struct walk_fetch){0};
     const struct sweep_thread *plan = &work->ring->sweep->thread[thread];
-    return (struct walk_fetch){.range = plan->late + plan->start[next],
-                               .ranges = plan->start[next + 1] - plan->start[next]};
+    size_t ranges = plan->start[next + 1] - plan->start[next];
+    return (struct walk_fetch){.range = ranges > 0 ? plan->late + plan->start[next] : NULL, .ranges = ranges};
 }
 
 void walk_block(struct walk *walk, const struct walk_work *work, int thread, int block) {

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* Images of the box and its motion. Read box.h first. */
 #include "particles/box.h"
+#include <stddef.h>
 
 /* Fills row[code] with the sums of three vectors, times those of the image. */
 static void images_fill(double vector[3][3], double row[IMAGE_CODES][4]) {
@@ -46,15 +47,29 @@ void box_unwrap(const struct box *box, const int32_t crossed[3], double shift[3]
             crossed[motion->gradient] * (motion->offset + motion->turns * box->edge[motion->flow]);
 }
 
-void box_wrap(const struct box *box, double x[3]) {
+void box_unwrap_velocity(const struct box *box, const int32_t crossed[3], double change[3]) {
+    const struct box_motion *motion = &box->motion;
+    box_drift(box, crossed, change);
+    if (motion->shears)
+        change[motion->flow] += crossed[motion->gradient] * motion->turns * motion->speed[motion->flow];
+}
+
+void box_wrap(const struct box *box, double x[3], double velocity[3]) {
     const struct box_motion *motion = &box->motion;
     for (int k = 0; k < 3; k++) {
         int d = motion->shears ? (motion->gradient + k) % 3 : k;
         double turns = box->periodic[d] ? floor(x[d] / box->edge[d]) : 0;
-        if (box->periodic[d])
-            x[d] -= turns * box->edge[d];
-        if (motion->shears && d == motion->gradient)
+        bool slides = motion->shears && d == motion->gradient;
+        if (turns == 0)
+            continue;
+        x[d] -= turns * box->edge[d];
+        if (slides)
             x[motion->flow] -= turns * motion->offset;
+        if (velocity == NULL || !motion->moves)
+            continue;
+        velocity[d] -= turns * motion->speed[d];
+        if (slides)
+            velocity[motion->flow] -= turns * motion->slide;
     }
 }
 

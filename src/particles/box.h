@@ -29,6 +29,9 @@ struct box_motion {
     double slide;       /* change of the offset, length/time */
 };
 
+/* What densities of a scene mean: mass over the volume of a sphere; in two dimensions also over the area of its disc. */
+enum box_density { BOX_DENSITY_VOLUME, BOX_DENSITY_AREA };
+
 struct box {
     int dimension;              /* 2 or 3; in 2D nothing moves in z and the box is one particle thick */
     double origin[3];           /* lower corner in the user's coordinates, length unit */
@@ -36,6 +39,7 @@ struct box {
     bool periodic[3];           /* per direction; never set for z in 2D */
     enum box_leave leave[3][2]; /* per direction, lower and upper side; ignored where periodic */
     struct box_motion motion;
+    enum box_density density; /* AREA in 2D alone */
 };
 
 /* Smallest squared distance of two points of the box at rest over their periodic images. */
@@ -65,12 +69,24 @@ static inline void box_shift(const struct box *box, const int image[3], double s
         shift[box->motion.flow] += image[box->motion.gradient] * box->motion.offset;
 }
 
+/* The velocity (length/time) that `image` adds to that of its original. */
+static inline void box_drift(const struct box *box, const int image[3], double drift[3]) {
+    for (int d = 0; d < 3; d++)
+        drift[d] = image[d] * box->motion.speed[d];
+    if (box->motion.shears)
+        drift[box->motion.flow] += image[box->motion.gradient] * box->motion.slide;
+}
+
 /* The vector that leads from the wrapped position of a particle to where it would be if it had never been
  * wrapped; `crossed` as counted by particles_wrap. */
 void box_unwrap(const struct box *box, const int32_t crossed[3], double shift[3]);
 
-/* Brings a box-relative position into the box, up to rounding. */
-void box_wrap(const struct box *box, double x[3]);
+/* The change of the velocity (length/time) on that way. */
+void box_unwrap_velocity(const struct box *box, const int32_t crossed[3], double change[3]);
+
+/* Brings a box-relative position into the box, up to rounding. The velocity becomes that of the image in the box; NULL: no
+ * velocity goes with the position. */
+void box_wrap(const struct box *box, double x[3], double velocity[3]);
 
 /* The velocity (length/time) of the mean flow at a box-relative position: that of a shear is 0 in the middle
  * of the box, that of a strain at the lower corner. Any thread. */

@@ -17,7 +17,7 @@
 
 enum { CLASS_MAX = 32 };
 
-/* How classes are chosen (scene key `classes`). */
+/* How classes are chosen (scene key `classes`; pairs/classes_choose.h). */
 enum classes_method { CLASSES_AUTO, CLASSES_ONE, CLASSES_CUTS, CLASSES_QUANTILES, CLASSES_GEOMETRIC };
 
 struct classes_options {
@@ -60,16 +60,12 @@ struct size_classes {
 /* The defaults: CLASSES_AUTO, skin_relative 0.3. */
 struct classes_options classes_options_default(void);
 
-/* Chooses cuts from a sample of radii (all of them, or a sample that is the same on every rank; sorted in
- * place). Fills count, cut, radius_min/max of the sample, and the skins and margins for the given range.
- * n = 0 gives one empty class. Fails (user) if the cuts are not increasing or leave a radius above the last.
- */
-bool classes_choose(struct size_classes *classes, const struct classes_options *options,
-                    const struct classes_range *range, double *radii, size_t n, struct error *error);
-
 /* Recomputes skins and margins after radius_min or radius_max changed. */
 void classes_set_margins(struct size_classes *classes, const struct classes_options *options,
                          const struct classes_range *range);
+
+/* The range of two particles of these kinds and radii; `range` NULL: 0. */
+double classes_range_at(const struct classes_range *range, int kind_a, double a, int kind_b, double b);
 
 /* The range of a class pair: the largest of any two of their radii; -INFINITY where the two never interact. b
  * may be `count`, the walls. `range` NULL: 0. */

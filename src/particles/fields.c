@@ -60,6 +60,11 @@ void *fields_values(const struct particles *particles, const struct field *field
     return f < 0 ? NULL : fields_base(particles, f, NULL);
 }
 
+double *fields_numbers(const struct particles *particles, const char *name) {
+    int f = fields_find(particles, name);
+    return f < 0 ? NULL : fields_base(particles, f, NULL);
+}
+
 /* Enters a field into the table. */
 static int enter(struct particles *particles, const struct field *field, int array, size_t offset) {
     struct storage *storage = particles->storage;

@@ -17,7 +17,7 @@
  *   4. Values of copies: a FORWARD field comes with every exchange of the step, a REVERSE field is summed
  *      back with the forces; a pass of its own sends any list of fields (comm/ghosts.h).
  *   5. `make pages` writes the row of docs/output.md.
- * `src/contact/spin.c` is an example of grains, src/density of a physics.
+ * `src/particles/spin.c` is an example of grains, src/density of a physics.
  *
  * Every set begins with the fields of enum field_first: the hot record of a cache line, the force, the id
  * and the size class; struct particles has pointers to these. */
@@ -93,6 +93,9 @@ void *fields_base(const struct particles *particles, int f, size_t *stride);
 
 /* The values of a row's field in a set, NULL if the set has no such field. */
 void *fields_values(const struct particles *particles, const struct field *field);
+
+/* The values of a field of one double a particle, by its name; NULL if the set has no such field. */
+double *fields_numbers(const struct particles *particles, const char *name);
 
 /* Bytes of one particle's value of a field (components x size of the type). */
 size_t fields_bytes(const struct field *field);

@@ -353,6 +353,10 @@ double particles_sphere_mass(double radius, double density) {
     return 4.0 / 3.0 * M_PI * radius * radius * radius * density;
 }
 
+double particles_density(const struct box *box, double radius, double density) {
+    return box->density == BOX_DENSITY_AREA ? 0.75 * density / radius : density;
+}
+
 size_t particles_bytes_each(const struct particles *particles) {
     size_t bytes = 0;
     for (int a = 0; a < particles->storage->arrays; a++)

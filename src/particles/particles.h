@@ -99,8 +99,12 @@ int32_t (*particles_images(const struct particles *particles))[3];
  * these are left as they are. Opens its own thread team. */
 bool particles_wrap(struct particles *particles, const struct box *box);
 
-/* Mass of a sphere of a density. */
+/* Mass of a sphere of a density, mass over volume. */
 double particles_sphere_mass(double radius, double density);
+
+/* Mass over volume of a sphere of a density as the scene gives it (enum box_density): of a disc of the density s
+ * pi r^2 s / (4/3 pi r^3). */
+double particles_density(const struct box *box, double radius, double density);
 
 /* Bytes that one particle takes in all allocated fields. */
 size_t particles_bytes_each(const struct particles *particles);

@@ -4,7 +4,7 @@
 
 #include "core/memory.h"
 #include "files/file.h"
-#include "files/program.h"
+#include "core/program.h"
 #include "picture/camera.h"
 #include "picture/paint.h"
 #include "picture/shapes.h"
@@ -257,57 +257,65 @@ static bool write_scene(const struct drawing *d, const char *path, int64_t frame
     return good;
 }
 
-/* Starts POV-Ray. */
-static bool render(const struct drawing *d, const char *scene, const char *png, const char *told,
+/* Names of the files on the way to a picture or film. They lie in a folder of their own, in which other programs see plain
+ * names: POV-Ray and ffmpeg find more in a name than letters. */
+struct way {
+    char folder[FILE_PATH_MAX], scene[FILE_PATH_MAX + 32], told[FILE_PATH_MAX + 32], made[FILE_PATH_MAX + 32];
+};
+
+/* Draws one frame by POV-Ray, to the file `png` in the folder. */
+static bool render(const struct drawing *d, const struct way *way, int64_t frame, const char *png,
                    struct error *error) {
-    char in[FILE_PATH_MAX + 8], out[FILE_PATH_MAX + 8], width[24], height[24];
-    snprintf(in, sizeof in, "+I%s", scene);
+    char out[40], width[24], height[24];
     snprintf(out, sizeof out, "+O%s", png);
     snprintf(width, sizeof width, "+W%d", d->camera.width);
     snprintf(height, sizeof height, "+H%d", d->camera.height);
-    const char *const command[] = {"povray", "-D",  "-GD",  "-GR", "-GS", "-GW", "+FN",
-                                   "+A0.2",  width, height, in,    out,   NULL};
-    return program_run(command, told, "povray", error);
+    const char *const command[] = {"povray", "-D",  "-GD",  "-GR",         "-GS", "-GW", "+FN",
+                                   "+A0.2",  width, height, "+Iscene.pov", out,   NULL};
+    return write_scene(d, way->scene, frame, error) &&
+           program_run(command, way->folder, way->told, "povray", error);
 }
 
-/* Names of the files on the way to a picture or film. */
-struct way {
-    char scene[FILE_PATH_MAX], told[FILE_PATH_MAX], folder[FILE_PATH_MAX], png[FILE_PATH_MAX + 32];
-};
+static void name_frame(char name[32], int64_t number) {
+    snprintf(name, 32, "%06" PRId64 ".png", number);
+}
 
-static bool make_film(const struct drawing *d, struct way *way, struct error *error) {
-    char pattern[FILE_PATH_MAX + 32], rate[16] = "25";
+static bool make_film(const struct drawing *d, const struct way *way, struct error *error) {
+    char png[32], rate[16] = "25";
     int number = 25;
     if (!read_number("rate", d->options->rate, 1000, &number, error))
         return false;
     snprintf(rate, sizeof rate, "%d", number);
     const char *const version[] = {"ffmpeg", "-version", NULL};
-    if (!program_run(version, way->told, "ffmpeg", error))
-        return false;
-    if (mkdir(way->folder, 0777) != 0 && access(way->folder, W_OK) != 0)
-        return error_set_errno(error, "%s: cannot be made", way->folder);
-    for (int64_t frame = d->first; frame <= d->last && error->kind == ERROR_NONE; frame++) {
-        snprintf(way->png, sizeof way->png, "%s/%06" PRId64 ".png", way->folder, frame - d->first);
+    bool good = program_run(version, NULL, way->told, "ffmpeg", error);
+    for (int64_t frame = d->first; good && frame <= d->last; frame++) {
+        name_frame(png, frame - d->first);
         if (isatty(2))
             fprintf(stderr, "\rpicture %" PRId64 " of %" PRId64, frame - d->first + 1,
                     d->last - d->first + 1);
-        if (write_scene(d, way->scene, frame, error))
-            render(d, way->scene, way->png, way->told, error);
+        good = render(d, way, frame, png, error);
     }
     if (isatty(2))
         fprintf(stderr, "\n");
-    snprintf(pattern, sizeof pattern, "%s/%%06d.png", way->folder);
     const char *const command[] = {
         "ffmpeg",   "-y",      "-loglevel", "error", "-framerate",
-        rate,       "-i",      pattern,     "-vf",   "pad=ceil(iw/2)*2:ceil(ih/2)*2",
-        "-pix_fmt", "yuv420p", d->out,      NULL};
-    bool good = error->kind == ERROR_NONE && program_run(command, way->told, "ffmpeg", error);
-    for (int64_t frame = d->first; frame <= d->last; frame++) {
-        snprintf(way->png, sizeof way->png, "%s/%06" PRId64 ".png", way->folder, frame - d->first);
-        remove(way->png);
+        rate,       "-i",      "%06d.png",  "-vf",   "pad=ceil(iw/2)*2:ceil(ih/2)*2",
+        "-pix_fmt", "yuv420p", "made.mp4",  NULL};
+    return good && program_run(command, way->folder, way->told, "ffmpeg", error);
+}
+
+/* Removes the folder with all that may be in it. */
+static void way_remove(const struct drawing *d, const struct way *way) {
+    char path[FILE_PATH_MAX + 64], png[32];
+    for (int64_t frame = d->first; d->film && frame <= d->last; frame++) {
+        name_frame(png, frame - d->first);
+        snprintf(path, sizeof path, "%s/%s", way->folder, png);
+        remove(path);
     }
+    remove(way->made);
+    remove(way->scene);
+    remove(way->told);
     rmdir(way->folder);
-    return good;
 }
 
 static bool make(const struct drawing *d, struct error *error) {
@@ -316,14 +324,15 @@ static bool make(const struct drawing *d, struct error *error) {
         return write_scene(d, d->out, d->first, error);
     if (strlen(d->out) > FILE_PATH_MAX - 16)
         return error_set(error, ERROR_USER, "%s: the name is too long", d->out);
-    snprintf(way.scene, sizeof way.scene, "%.1000s.pov", d->out);
-    snprintf(way.told, sizeof way.told, "%.1000s.log", d->out);
     snprintf(way.folder, sizeof way.folder, "%.1000s.frames", d->out);
-    bool good =
-        d->film ? make_film(d, &way, error)
-                : write_scene(d, way.scene, d->first, error) && render(d, way.scene, d->out, way.told, error);
-    remove(way.scene);
-    remove(way.told);
+    snprintf(way.scene, sizeof way.scene, "%s/scene.pov", way.folder);
+    snprintf(way.told, sizeof way.told, "%s/told.log", way.folder);
+    snprintf(way.made, sizeof way.made, "%s/made.%s", way.folder, d->film ? "mp4" : "png");
+    if (mkdir(way.folder, 0777) != 0 && access(way.folder, W_OK) != 0)
+        return error_set_errno(error, "%s: cannot be made", way.folder);
+    bool good = (d->film ? make_film(d, &way, error) : render(d, &way, d->first, "made.png", error)) &&
+                (rename(way.made, d->out) == 0 || error_set_errno(error, "%s: cannot be written", d->out));
+    way_remove(d, &way);
     return good;
 }
 

@@ -67,24 +67,26 @@ static void add_wall(struct shapes *shapes, const struct walls *walls, int wall,
 }
 
 bool shapes_make(struct shapes *shapes, const struct scene *scene, double time, struct error *error) {
-    static struct law law; /* large; walls ask it for nothing but the number of values of a history */
-    struct law_pair pair[LAW_MATERIALS_MAX][LAW_MATERIALS_MAX];
+    struct law law; /* walls ask it for nothing but the number of values of a history */
     struct law_options options = scene->law;
     struct walls *walls;
     *shapes = (struct shapes){0};
     if (scene->walls == 0)
         return true;
-    memcpy(pair, scene->law_pair, sizeof pair);
     options.synchronised = integrator_find(scene->integrator)->synchronised;
-    if (!law_prepare(&law, &options, scene->materials, scene->material, pair, error) ||
-        !walls_create(&walls, scene->wall, scene->walls, &law, &scene->box, 1, error, NULL))
+    if (!law_prepare(&law, &options, scene->materials, scene->material, scene->law_pair, error))
         return false;
+    if (!walls_create(&walls, scene->wall, scene->walls, &law, &scene->box, 1, error, NULL)) {
+        law_free(&law);
+        return false;
+    }
     struct wall_push push[WALLS_MAX] = {0};
     if (walls_move(walls) && time > 0)
         walls_advance(walls, 0.0, time, push);
     for (int wall = 0; wall < walls_count(walls); wall++)
         add_wall(shapes, walls, wall, scene->box.origin);
     walls_destroy(&walls);
+    law_free(&law);
     return true;
 }
 

@@ -106,15 +106,36 @@ bool source_frame(const struct source *source, const char *text, int64_t *frame,
                      source->frames, text);
 }
 
+/* The last frame before `frame` that has particles; -1: none. */
+static int64_t frame_before(const struct source *source, int64_t frame) {
+    while (--frame >= 0) {
+        struct error ignored = {0};
+        struct rows rows;
+        if (!convert_read(source->path, frame, source->comm, &rows, NULL, &ignored))
+            continue;
+        bool full = rows.count > 0;
+        rows_free(&rows);
+        if (full)
+            return frame;
+    }
+    return -1;
+}
+
 bool source_read(const struct source *source, int64_t frame, struct rows *rows, struct error *error) {
     if (!convert_read(source->path, frame, source->comm, rows, NULL, error))
         return false;
     if (rows->position && rows->radius && rows->count > 0)
         return true;
-    error_set(error, ERROR_USER, "%s: frame %" PRId64 " has no %s", source->path, frame,
-              rows->count == 0 ? "particles" : "positions and radii");
+    bool empty = rows->count == 0;
     rows_free(rows);
-    return false;
+    int64_t full = empty ? frame_before(source, frame) : -1;
+    if (full >= 0)
+        return error_set(error, ERROR_USER,
+                         "%s: frame %" PRId64 " has no particles; the last one before it that has some: "
+                         "--frame %" PRId64,
+                         source->path, frame, full);
+    return error_set(error, ERROR_USER, "%s: frame %" PRId64 " has no %s", source->path, frame,
+                     empty ? "particles" : "positions and radii");
 }
 
 static double length_of(const double v[3]) {

@@ -113,6 +113,13 @@ static void finish_motion(struct scene *scene) {
     box_follow(&scene->box, (double[4]){0});
 }
 
+/* LAMMPS ends contacts at zero overlap. */
+static void finish_law(struct scene *scene) {
+    bool lammps = scene->law.lammps_history || scene->law.lammps_granular;
+    if (lammps && !scene_gives(scene, "contact", "end"))
+        scene->law.end = LAW_END_OVERLAP;
+}
+
 static void finish_newton(struct scene *scene) {
     for (int k = 0; k < PHYSICS_COUNT; k++)
         if (scene->physics_given[k] && physics_particles(k) == PHYSICS_OWN)
@@ -184,7 +191,7 @@ bool finish_names(const struct scene *scene, const struct tree_node *root, struc
     return true;
 }
 
-static struct law_pair law_pair_of(const struct scene_pair *pair) {
+static struct law_pair pair_finished(const struct scene_pair *pair) {
     struct law_pair law = {.restitution = pair->restitution,
                            .friction = pair->friction,
                            .rolling_friction = pair->rolling_friction,
@@ -231,36 +238,41 @@ static void particle_materials(const struct scene *scene, bool may[LAW_MATERIALS
             may[scene->insertion[k].material] = true;
 }
 
-/* Fills the matrix of pairs: the default entry first, named ones over it. */
-static bool finish_pairs(struct scene *scene, struct error *error) {
-    bool named[LAW_MATERIALS_MAX][LAW_MATERIALS_MAX] = {{false}};
-    bool may[LAW_MATERIALS_MAX] = {false};
-    int fallback = -1;
+/* Enters the pairs that are named, and finds the entry that serves all others; -1: none. */
+static bool enter_pairs(struct scene *scene, bool *named, int *fallback, struct error *error) {
+    *fallback = -1;
     for (int k = 0; k < scene->pairs; k++) {
         struct scene_pair *pair = &scene->pair[k];
         char key[64];
         snprintf(key, sizeof(key), "material_pairs[%d].between", k);
         if (pair->between_count == 0) {
-            if (fallback >= 0)
+            if (*fallback >= 0)
                 return scene_fail(
                     scene, error, key,
-                    "is missing; only one entry may be the default of all pairs, and [%d] is it", fallback);
-            fallback = k;
+                    "is missing; only one entry may be the default of all pairs, and [%d] is it", *fallback);
+            *fallback = k;
             continue;
         }
         if (pair->between_count != 2)
             return scene_fail(scene, error, key, "names %d materials; needed: two", pair->between_count);
         int a = pair->material[0], b = pair->material[1];
-        if (named[a][b])
+        size_t there = law_place_of(scene->materials, a, b), back = law_place_of(scene->materials, b, a);
+        if (named[there])
             return scene_fail(scene, error, key, "the pair %s, %s is given twice", scene->material[a].name,
                               scene->material[b].name);
-        named[a][b] = named[b][a] = true;
-        scene->law_pair[a][b] = scene->law_pair[b][a] = law_pair_of(pair);
+        named[there] = named[back] = true;
+        scene->law_pair[there] = scene->law_pair[back] = pair_finished(pair);
     }
+    return true;
+}
+
+/* Fills the matrix of pairs: named entries, and the default one for all others. */
+static bool fill_pairs(struct scene *scene, const bool *named, int fallback, struct error *error) {
+    bool may[LAW_MATERIALS_MAX] = {false};
     particle_materials(scene, may);
     for (int a = 0; a < scene->materials; a++)
         for (int b = 0; b <= a; b++) {
-            if (named[a][b])
+            if (named[law_place_of(scene->materials, a, b)])
                 continue;
             if (fallback < 0 && (may[a] || may[b]))
                 return scene_fail(
@@ -268,10 +280,20 @@ static bool finish_pairs(struct scene *scene, struct error *error) {
                     "the pair %s, %s is missing (an entry without `between` serves all that are not named)",
                     scene->material[b].name, scene->material[a].name);
             /* a pair that never meets takes any values */
-            scene->law_pair[a][b] = scene->law_pair[b][a] =
-                law_pair_of(&scene->pair[fallback < 0 ? 0 : fallback]);
+            *scene_law_pair(scene, a, b) = *scene_law_pair(scene, b, a) =
+                pair_finished(&scene->pair[fallback < 0 ? 0 : fallback]);
         }
     return true;
+}
+
+static bool finish_pairs(struct scene *scene, struct error *error) {
+    size_t entries = (size_t)scene->materials * (size_t)scene->materials;
+    bool *named = memory_allocate_zero(entries, sizeof(*named), "pairs of materials");
+    int fallback;
+    scene->law_pair = memory_allocate_zero(entries, sizeof(*scene->law_pair), "pairs of materials");
+    bool good = enter_pairs(scene, named, &fallback, error) && fill_pairs(scene, named, fallback, error);
+    memory_free(named);
+    return good;
 }
 
 /* Sets a material that was not named: the only one. A scene without materials leaves all unnamed. */
@@ -403,6 +425,7 @@ bool finish_scene(struct scene *scene, struct error *error) {
     finish_step(scene);
     scene_stages_finish(scene);
     finish_motion(scene);
+    finish_law(scene);
     finish_newton(scene);
     scene->law.solved = scene->physics_given[PHYSICS_hard] > 0;
     /* both ends of a bond compute the same bits, from the same positions */

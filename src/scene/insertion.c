@@ -2,18 +2,27 @@
 /* Computes the number of due particles and proposed places, and accepts the particles that find a place. Read
  * insertion.h first. */
 #include "scene/insertion.h"
+#include "particles/particles.h"
 
 #include <math.h>
 #include <string.h>
 
-/* Mean of r^3 over the law, by a fixed sample: the same on every rank, good to a percent. */
-static double mean_cube(const struct sizes_sampler *sampler, uint64_t seed) {
+/* Mass over volume of a particle of this radius. */
+static double density_of(const struct insertion *insertion, double radius) {
+    return particles_density(&insertion->box, radius, insertion->density);
+}
+
+static double mass_of(const struct insertion *insertion, double radius) {
+    return 4 * M_PI / 3 * radius * radius * radius * density_of(insertion, radius);
+}
+
+/* Mean mass over the law of sizes, by a fixed sample: the same on every rank, good to a percent. */
+static double mean_mass(const struct insertion *insertion) {
     enum { SAMPLE = 65536 };
     double sum = 0;
     for (uint64_t k = 0; k < SAMPLE; k++) {
-        struct random_sequence random = random_sequence(seed, RANDOM_RADIUS, k);
-        double r = sizes_draw(sampler, &random);
-        sum += r * r * r;
+        struct random_sequence random = random_sequence(insertion->seed, RANDOM_RADIUS, k);
+        sum += mass_of(insertion, sizes_draw(&insertion->sampler, &random));
     }
     return sum / SAMPLE;
 }
@@ -38,7 +47,7 @@ bool insertion_prepare(struct insertion *insertion, const struct insertion_optio
                                    region->upper[d] >= box->origin[d] + box->edge[d];
     if (!sizes_prepare(&insertion->sampler, &options->sizes, error))
         return false;
-    insertion->mean_mass = 4 * M_PI / 3 * mean_cube(&insertion->sampler, seed) * insertion->density;
+    insertion->mean_mass = mean_mass(insertion);
     return true;
 }
 
@@ -70,8 +79,9 @@ void insertion_begin(const struct insertion *insertion, const struct insertion_s
         uint64_t number = state->placed + k;
         struct random_sequence random = sequence_of(insertion, number, 0);
         candidate[k] = (struct insertion_candidate){
-            .number = number, .density = insertion->density, .material = o->material, .group = o->group};
+            .number = number, .temperature = o->temperature, .material = o->material, .group = o->group};
         candidate[k].radius = sizes_draw(&insertion->sampler, &random);
+        candidate[k].density = density_of(insertion, candidate[k].radius);
         for (int d = 0; d < 3; d++) {
             bool flat = d == 2 && insertion->space.dimension == 2;
             candidate[k].v[d] =
@@ -152,8 +162,7 @@ size_t insertion_end(const struct insertion *insertion, struct insertion_state *
                      struct insertion_candidate *candidate, size_t n) {
     size_t placed = 0;
     while (placed < n && candidate[placed].accepted) {
-        double r = candidate[placed].radius;
-        state->mass += 4 * M_PI / 3 * r * r * r * insertion->density;
+        state->mass += mass_of(insertion, candidate[placed].radius);
         placed++;
     }
     for (size_t k = placed; k < n; k++)

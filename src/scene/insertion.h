@@ -19,7 +19,7 @@
 #include "particles/box.h"
 #include "scene/source.h"
 
-enum { INSERTIONS_MAX = 32, DELETIONS_MAX = 32, INSERTION_BATCH_MAX = 4096 };
+enum { INSERTIONS_MAX = 1000, DELETIONS_MAX = 1000, INSERTION_BATCH_MAX = 4096 };
 
 struct insertion_options {
     char name[SOURCE_NAME_MAX];
@@ -33,7 +33,8 @@ struct insertion_options {
     double velocity[3], velocity_sigma;
     double omega[3];
     int material, group;
-    double density; /* 0: the material's */
+    double density;     /* 0: the material's */
+    double temperature; /* NAN: that of the section heat */
 };
 
 struct deletion_options {
@@ -57,8 +58,8 @@ struct insertion {
     struct region_space space;
     struct box box;
     uint64_t seed;
-    int number; /* of the region in the scene: chooses its random numbers */
-    double density;
+    int number;       /* of the region in the scene: chooses its random numbers */
+    double density;   /* as the scene means it (enum box_density) */
     double mean_mass; /* of a particle, for mass_rate */
 };
 
@@ -67,6 +68,7 @@ struct insertion_candidate {
     uint64_t number; /* number of the particle in this region: fixes radius and velocity */
     double x[3], v[3], omega[3];
     double radius, density;
+    double temperature; /* NAN: that of the section heat */
     int material, group;
     bool settled, accepted;
 };

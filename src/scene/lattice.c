@@ -118,6 +118,8 @@ bool lattice_make(const struct scene *scene, int source, struct source_batch *ba
     struct sizes_sampler sampler;
     if (!sizes_prepare(&sampler, &options->sizes, error))
         return false;
+    if (!source_room((double)found, 4 * sizeof(double), error))
+        return false;
     rows_create(&batch->rows, (size_t)found, ROWS_POSITION | ROWS_RADIUS);
     size_t filled = 0;
     for (int64_t n = 0; n < places && filled < (size_t)found; n++) {

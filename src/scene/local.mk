@@ -78,6 +78,8 @@ libscene_la_SOURCES = \
 	src/scene/source.h \
 	src/scene/source_batch.c \
 	src/scene/source_batch.h \
+	src/scene/source_ids.c \
+	src/scene/source_ids.h \
 	src/scene/source_sphere.c \
 	src/scene/source_sphere.h \
 	src/scene/synonyms.c \

@@ -211,7 +211,10 @@ bool packing_make(const struct scene *scene, const struct scene_share *share, st
         *p = (struct placing){.scene = scene, .source = s, .share = share, .grid = grid};
         p->region = source_region(scene, &scene->source[s].region, &p->space);
         p->volume = region_volume(&p->region, &p->space);
-        good = draw_radii(p, &order, error);
+        good = source_room((double)scene->source[s].count,
+                           4 * sizeof(double) + sizeof(struct draw) + (double)SOURCE_BYTES / share->size,
+                           error) &&
+               draw_radii(p, &order, error);
         if (good)
             rows_create(&batch[s].rows, p->count, ROWS_POSITION | ROWS_RADIUS);
     }

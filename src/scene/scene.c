@@ -13,6 +13,12 @@ void scene_free(struct scene **scene) {
     if (!*scene)
         return;
     tree_free(&(*scene)->tree);
+    memory_free((*scene)->pair);
+    memory_free((*scene)->law_pair);
+    memory_free((*scene)->wall);
+    memory_free((*scene)->source);
+    memory_free((*scene)->insertion);
+    memory_free((*scene)->deletion);
     for (int k = 0; k < (*scene)->settings; k++)
         memory_free((*scene)->setting[k]);
     memory_free((*scene)->setting);

@@ -61,11 +61,11 @@ struct scene {
     int materials;
     struct law_material material[LAW_MATERIALS_MAX];
     int pairs;
-    struct scene_pair pair[SCENE_PAIRS_MAX];
-    struct law_pair law_pair[LAW_MATERIALS_MAX][LAW_MATERIALS_MAX]; /* complete: input of law_prepare */
+    struct scene_pair *pair;   /* owned, as the next */
+    struct law_pair *law_pair; /* materials x materials (law_place_of), complete: input of law_prepare */
 
     int walls;
-    struct wall_options wall[WALLS_MAX];
+    struct wall_options *wall; /* owned */
 
     int groups; /* group[0] is "free" */
     struct scene_group group[INTEGRATOR_GROUPS_MAX];
@@ -75,11 +75,11 @@ struct scene {
     int physics_given[PHYSICS_COUNT];
 
     int sources;
-    struct source_options source[SOURCES_MAX];
+    struct source_options *source; /* owned */
     int insertions;
-    struct insertion_options insertion[INSERTIONS_MAX];
+    struct insertion_options *insertion; /* owned */
     int deletions;
-    struct deletion_options deletion[DELETIONS_MAX];
+    struct deletion_options *deletion; /* owned */
 
     struct scene_index index;
     struct classes_options classes;
@@ -113,6 +113,11 @@ void scene_integrator(const struct scene *scene, struct integrator_context *cont
 
 /* Sets `reproducible` in a scene that was read, and the settings that follow from it. */
 void scene_make_reproducible(struct scene *scene);
+
+/* The coefficients of two materials. */
+static inline struct law_pair *scene_law_pair(const struct scene *scene, int a, int b) {
+    return &scene->law_pair[law_place_of(scene->materials, a, b)];
+}
 
 /* Number of a material or wall by name, or -1. */
 int scene_material(const struct scene *scene, const char *name);

@@ -220,6 +220,15 @@ static bool check_file(const struct scene *scene, const struct source_options *s
            scene_fail(scene, error, key, "beside types; %s", one_of_two);
 }
 
+/* A temperature of a source or an insertion, NAN: none. */
+static bool check_temperature(const struct scene *scene, double temperature, const char *section,
+                              struct error *error) {
+    char key[80];
+    snprintf(key, sizeof(key), "%s.temperature", section);
+    return isnan(temperature) || scene->physics_given[PHYSICS_heat] ||
+           scene_fail(scene, error, key, "needs the section heat: without it grains have no temperature");
+}
+
 static bool check_sources(const struct scene *scene, struct error *error) {
     bool others = false;
     for (int k = 0; k < PHYSICS_COUNT; k++)
@@ -238,7 +247,8 @@ static bool check_sources(const struct scene *scene, struct error *error) {
         if ((source->kind == SOURCE_LATTICE && !check_lattice(scene, source, section, error)) ||
             (source->kind == SOURCE_RANDOM && !check_random(scene, source, section, error)) ||
             (source->kind == SOURCE_FILE && !check_file(scene, source, section, error)) ||
-            !check_spin(scene, source->omega, section, error))
+            !check_spin(scene, source->omega, section, error) ||
+            !check_temperature(scene, source->temperature, section, error))
             return false;
     }
     return true;
@@ -260,6 +270,7 @@ static bool check_insertions(const struct scene *scene, struct error *error) {
                               insertion->start);
         if (!check_room(scene, &insertion->region, section, error) ||
             !check_sizes(scene, &insertion->sizes, section, error) ||
+            !check_temperature(scene, insertion->temperature, section, error) ||
             !check_spin(scene, insertion->omega, section, error))
             return false;
     }
@@ -324,9 +335,11 @@ static bool check_law(const struct scene *scene, struct error *error) {
     if (scene->law.lammps_history && scene->law.damping != LAW_DAMPING_COEFFICIENT)
         return scene_fail(scene, error, "contact.lammps_history", "needs contact.damping: coefficient");
     if (scene->law.lammps_history && scene->law.end != LAW_END_OVERLAP)
-        return scene_fail(scene, error, "contact.lammps_history", "needs contact.end: overlap");
+        return scene_fail(scene, error, "contact.end",
+                          "lammps_history goes with end: overlap, which it takes by itself");
     if (scene->law.lammps_granular && scene->law.end != LAW_END_OVERLAP)
-        return scene_fail(scene, error, "contact.lammps_granular", "needs contact.end: overlap");
+        return scene_fail(scene, error, "contact.end",
+                          "lammps_granular goes with end: overlap, which it takes by itself");
     if (scene->law.lammps_history && scene->law.rolling != LAW_ROLLING_NONE)
         return scene_fail(scene, error, "contact.lammps_history", "has no rolling resistance");
     return true;

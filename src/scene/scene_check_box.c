@@ -19,7 +19,11 @@ static bool check_alone(const struct scene *scene, const char *key, struct error
 static bool check_strain(const struct scene *scene, struct error *error) {
     for (int d = 0; d < 3; d++)
         if (scene->strain.rate[d] != 0 && !scene->box.periodic[d])
-            return scene_fail(scene, error, "box.strain.rate", "%c is not periodic; allowed: 0", "xyz"[d]);
+            return scene_fail(
+                scene, error, "box.strain.rate",
+                "the box is open along %c, where nothing carries the strain to the particles; allowed: 0 "
+                "along %c, or box.periodic along %c, or walls that move (walls[].motion)",
+                "xyz"[d], "xyz"[d], "xyz"[d]);
     return check_alone(scene, "box.strain", error);
 }
 
@@ -92,8 +96,18 @@ static bool check_shear(const struct scene *scene, struct error *error) {
     return check_alone(scene, "box.shear", error);
 }
 
+/* Densities of discs: in a plane, and where grains alone have masses by them. */
+static bool check_density(const struct scene *scene, struct error *error) {
+    if (scene->box.dimension != 2)
+        return scene_fail(scene, error, "box.density", "area needs box.dimension: 2");
+    if (scene->physics_given[PHYSICS_bodies])
+        return scene_fail(scene, error, "box.density", "area together with bodies: not built yet");
+    return true;
+}
+
 bool scene_check_box(const struct scene *scene, struct error *error) {
-    return (!scene->shear_given || check_shear(scene, error)) &&
+    return (scene->box.density == BOX_DENSITY_VOLUME || check_density(scene, error)) &&
+           (!scene->shear_given || check_shear(scene, error)) &&
            (!scene->strain_given || check_strain(scene, error)) &&
            (!scene->stress_given || check_stress(scene, error));
 }

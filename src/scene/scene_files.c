@@ -2,6 +2,7 @@
 /* Looks for the files of a scene, by the rows of the schema that hold paths, and reads those that hold sizes.
  * Read scene_files.h first. */
 #include "scene/scene_files.h"
+#include "files/file.h"
 #include "scene/mistakes.h"
 #include "scene/schema_root.h"
 #include "scene/schema_rows.h"
@@ -18,13 +19,17 @@ static bool file_opens(const struct scene *scene, const char *given, const char 
     struct stat found;
     struct error one = {0};
     snprintf(path, sizeof(path), "%s%s", given[0] == '/' ? "" : scene->folder, given);
-    errno = access(path, R_OK) == 0 && stat(path, &found) == 0 ? 0 : errno;
-    if (errno == 0 && S_ISDIR(found.st_mode))
-        errno = EISDIR;
-    if (errno == 0)
+    int code = access(path, R_OK) == 0 && stat(path, &found) == 0 ? 0 : errno;
+    if (code == 0 && S_ISDIR(found.st_mode))
+        code = EISDIR;
+    const char *waits = code == 0 ? file_waits(path) : NULL;
+    if (code == 0 && !waits)
         return true;
-    scene_fail(scene, &one, key, "%.700s cannot be opened: %s%s", path, strerror(errno),
-               errno == ENOENT && given[0] != '/' ? " (paths begin at the folder of the scene file)" : "");
+    if (waits)
+        scene_fail(scene, &one, key, "%.700s %s", path, waits);
+    else
+        scene_fail(scene, &one, key, "%.700s cannot be opened: %s%s", path, strerror(code),
+                   code == ENOENT && given[0] != '/' ? " (paths begin at the folder of the scene file)" : "");
     return mistakes_add(error, one.text);
 }
 

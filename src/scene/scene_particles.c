@@ -5,16 +5,16 @@
  * by hash: rank r remembers the keys of its part. */
 #include "scene/scene_particles.h"
 
-#include "contact/material.h"
-#include "contact/spin.h"
+#include "particles/material.h"
+#include "particles/spin.h"
 #include "core/checksum.h"
 #include "core/memory.h"
 #include "formats/h5md_read.h"
 #include "formats/lammps_data.h"
-#include "integrate/groups.h"
+#include "particles/groups.h"
 #include "scene/lattice.h"
 #include "scene/packing.h"
-#include "scene/source_sphere.h"
+#include "scene/source_ids.h"
 #include "scene/table.h"
 #include "scene/unique.h"
 
@@ -30,6 +30,7 @@ struct walk {
     struct scene_census census;
     struct unique ids, places; /* values that may occur only once */
     uint64_t stream;           /* spheres so far */
+    struct source_ids new_ids;
     struct error *error;
 };
 
@@ -40,16 +41,36 @@ static void remember(const struct walk *walk, struct unique *list, uint64_t key,
         unique_add(list, &(struct unique_entry){key, sphere->id, (uint32_t)sphere->line, (uint32_t)source});
 }
 
-/* Fails if a key was seen twice. */
-static bool check_unique(const struct walk *walk, struct unique *list, const char *what) {
+/* The place of an entry, as a message on another source names it. */
+static const char *entry_place(const struct scene *scene, const struct unique_entry *entry, char *text,
+                               size_t room) {
+    const struct source_options *options = &scene->source[entry->source];
+    char place[SCENE_PATH_MAX], key[96], line[32] = "";
+    if (entry->line > 0)
+        snprintf(line, sizeof(line), "line %u of ", entry->line);
+    source_key((int)entry->source, "from", key, sizeof(key));
+    bool file = options->kind == SOURCE_FILE;
+    snprintf(text, room, "%s%.300s", line,
+             file ? options->file : scene_place(scene, key, place, sizeof(place)));
+    return text;
+}
+
+/* Fails if a key was seen twice; `remedy` ends the message if two sources clash and one of them is a file. */
+static bool check_unique(const struct walk *walk, struct unique *list, const char *what, const char *remedy) {
     const struct unique_entry *first, *second;
     if (!unique_find_twice(list, &first, &second))
         return true;
-    char text[200], line[64] = "";
+    char text[600], place[400] = "";
+    const struct source_options *source = walk->scene->source;
     struct source_sphere sphere = {.id = second->id, .line = second->line};
-    if (first->line > 0)
-        snprintf(line, sizeof(line), ", line %u", first->line);
-    snprintf(text, sizeof(text), "%s particle %lld%s", what, (long long)first->id, line);
+    bool apart = first->source != second->source,
+         file = source[first->source].kind == SOURCE_FILE || source[second->source].kind == SOURCE_FILE;
+    if (apart)
+        entry_place(walk->scene, first, place, sizeof(place));
+    else if (first->line > 0)
+        snprintf(place, sizeof(place), "line %u", first->line);
+    snprintf(text, sizeof(text), "%s particle %lld%s%s%s", what, (long long)first->id, place[0] ? ", " : "",
+             place, apart && file ? remedy : "");
     return source_sphere_fail(walk->scene, (int)second->source, &sphere, text, walk->error);
 }
 
@@ -68,7 +89,8 @@ static void count_sphere(struct walk *walk, const struct source_sphere *sphere) 
     census->volume += 4 * M_PI / 3 * r * r * r;
 }
 
-static void append_sphere(const struct walk *walk, const struct source_sphere *sphere, const double x[3]) {
+static void append_sphere(const struct walk *walk, int source, const struct source_sphere *sphere,
+                          const double x[3]) {
     struct particles *particles = walk->particles;
     size_t i = particles_append(particles);
     struct particle_state *state = &particles->state[i];
@@ -78,7 +100,8 @@ static void append_sphere(const struct walk *walk, const struct source_sphere *s
     state->radius = sphere->radius;
     state->inverse_mass = free ? 1 / particles_sphere_mass(sphere->radius, sphere->density) : 0;
     particles->id[i] = sphere->id;
-    double(*omega)[4] = spin_of(particles), *density = groups_densities(particles);
+    double(*omega)[4] = spin_of(particles), *density = groups_densities(particles),
+    *temperature = fields_numbers(particles, "temperature");
     uint8_t *material = material_numbers(particles), *group = groups_of(particles);
     int32_t(*image)[3] = particles_images(particles);
     if (omega)
@@ -89,14 +112,20 @@ static void append_sphere(const struct walk *walk, const struct source_sphere *s
         group[i] = (uint8_t)sphere->group;
     if (density)
         density[i] = sphere->density;
+    if (temperature)
+        temperature[i] = walk->scene->source[source].temperature;
     if (image)
         memcpy(image[i], sphere->image, sizeof(sphere->image));
 }
 
+/* The id of a row that its source leaves out. */
+static const int64_t id_left_out = INT64_MIN;
+
+/* Takes a sphere, with `shake` added to its velocity. */
 static bool take_sphere(struct walk *walk, int source, const struct source_batch *batch,
-                        struct source_sphere *sphere) {
+                        const double shake[3], struct source_sphere *sphere) {
     double x[3];
-    if (!source_sphere_complete(walk->scene, source, batch, sphere, x, walk->error))
+    if (!source_sphere_complete(walk->scene, source, batch, shake, sphere, x, walk->error))
         return false;
     remember(walk, &walk->ids, checksum_row(1, &sphere->id, sizeof(sphere->id)), source, sphere);
     remember(walk, &walk->places, checksum_row(0, x, sizeof(x)), source, sphere);
@@ -106,58 +135,95 @@ static bool take_sphere(struct walk *walk, int source, const struct source_batch
                             : (walk->stream / SHARE_BLOCK) % (uint64_t)share->size == (uint64_t)share->rank;
     walk->stream++;
     if (mine)
-        append_sphere(walk, sphere, x);
+        append_sphere(walk, source, sphere, x);
     return true;
 }
 
 /* Reserves memory for this rank's expected part of `count` particles, so that arrays do not grow step by
- * step. */
-static void expect(struct walk *walk, size_t count) {
+ * step. False with an error if there is too little memory. */
+static bool expect(struct walk *walk, size_t count) {
     size_t ranks = (size_t)walk->share->size, share = count / ranks;
     share += ranks > 1 ? share / 16 + 1 : 0;
+    if (!source_room((double)share, SOURCE_BYTES, walk->error))
+        return false;
     particles_reserve(walk->particles, walk->particles->owned + share);
     unique_reserve(&walk->ids, walk->ids.count + share);
     unique_reserve(&walk->places, walk->places.count + share);
+    return true;
 }
 
-/* Gives a sphere its id: `number`, the file's or its place in the source, after the ids of earlier sources
- * (up to `base`), or the one that the scene names. An id below 1 becomes 0, which is refused with the sphere.
- */
-static bool give_id(const struct walk *walk, int source, int64_t number, int64_t base,
-                    struct source_sphere *sphere) {
+/* Gives the rows of a batch their ids, and id_left_out to those that the source leaves out. Returns how many it takes. */
+static size_t give_ids(struct walk *walk, int source, const struct source_batch *batch, int64_t *id) {
     const struct source_options *options = &walk->scene->source[source];
-    bool named = options->kind == SOURCE_SINGLE && options->id > 0;
-    int64_t before = named || number < 1 ? 0 : base;
-    sphere->id = named ? options->id : number < 1 ? 0 : number;
-    if (sphere->id <= SOURCE_ID_MAX - before) {
-        sphere->id += before;
-        return true;
+    size_t taken = 0;
+    for (size_t k = 0; k < batch->rows.count; k++) {
+        struct source_sphere sphere = source_sphere_of(options, batch, k);
+        bool left_out = source_sphere_left_out(options, &sphere);
+        id[k] = left_out ? id_left_out : source_ids_give(&walk->new_ids, options, batch, k);
+        taken += !left_out;
     }
-    char text[160];
-    snprintf(text, sizeof text, "the id, which follows those of earlier sources (up to %lld), is above 2^62",
-             (long long)before);
-    return source_sphere_fail(walk->scene, source, sphere, text, walk->error);
+    return taken;
 }
 
-/* True if the source keeps to radii among which this one is not. */
-static bool left_out(const struct source_options *options, const struct source_sphere *sphere) {
-    return options->kind == SOURCE_FILE && sphere->radius > 0 &&
-           !(sphere->radius > options->radius_above && sphere->radius <= options->radius_upto);
+/* The mean random velocity of the free spheres of a batch, weighted by mass: without it they have no momentum. 0 for
+ * a sphere alone. Every rank goes over all rows, and finds the same. */
+static bool mean_shake(const struct walk *walk, int source, const struct source_batch *batch,
+                       const int64_t *id, double mean[3]) {
+    const struct source_options *options = &walk->scene->source[source];
+    double mass = 0, x[3], shake[3];
+    int64_t free = 0;
+    for (int d = 0; d < 3; d++)
+        mean[d] = 0;
+    for (size_t k = 0; options->velocity_sigma > 0 && k < batch->rows.count; k++) {
+        struct source_sphere sphere = source_sphere_of(options, batch, k);
+        if (id[k] == id_left_out)
+            continue;
+        sphere.id = id[k];
+        if (!source_sphere_complete(walk->scene, source, batch, (double[3]){0}, &sphere, x, walk->error))
+            return false;
+        if (walk->scene->group[sphere.group].motion != SCENE_FREE)
+            continue;
+        double own = particles_sphere_mass(sphere.radius, sphere.density);
+        source_sphere_shake(walk->scene, source, sphere.id, shake);
+        mass += own;
+        free++;
+        for (int d = 0; d < 3; d++)
+            mean[d] += own * shake[d];
+    }
+    for (int d = 0; d < 3; d++)
+        mean[d] = free > 1 ? mean[d] / mass : 0;
+    return true;
+}
+
+/* Takes the rows that have an id. */
+static bool take_rows(struct walk *walk, int source, const struct source_batch *batch, const int64_t *id) {
+    double mean[3], shake[3];
+    if (!mean_shake(walk, source, batch, id, mean))
+        return false;
+    for (size_t k = 0; k < batch->rows.count; k++) {
+        if (id[k] == id_left_out)
+            continue;
+        struct source_sphere sphere = source_sphere_of(&walk->scene->source[source], batch, k);
+        sphere.id = id[k];
+        source_sphere_shake(walk->scene, source, sphere.id, shake);
+        for (int d = 0; d < 3; d++)
+            shake[d] -= mean[d];
+        if (!take_sphere(walk, source, batch, shake, &sphere))
+            return false;
+    }
+    return true;
 }
 
 static bool take_batch(struct walk *walk, int source, const struct source_batch *batch) {
     const struct source_options *options = &walk->scene->source[source];
-    expect(walk, batch->rows.count);
-    int64_t base = walk->census.id_max, taken = 0;
-    for (size_t k = 0; k < batch->rows.count; k++) {
-        struct source_sphere sphere = source_sphere_of(options, batch, k);
-        if (left_out(options, &sphere))
-            continue;
-        taken++;
-        if (!give_id(walk, source, batch->rows.id ? batch->rows.id[k] : taken, base, &sphere) ||
-            !take_sphere(walk, source, batch, &sphere))
-            return false;
-    }
+    if (!expect(walk, batch->rows.count))
+        return false;
+    int64_t *id = memory_allocate(batch->rows.count + 1, sizeof *id, "ids of a source");
+    size_t taken = give_ids(walk, source, batch, id);
+    bool good = take_rows(walk, source, batch, id);
+    memory_free(id);
+    if (!good)
+        return false;
     char key[96];
     return taken > 0 ||
            scene_fail(walk->scene, walk->error, source_key(source, "radius_upto", key, sizeof(key)),
@@ -231,7 +297,7 @@ static bool place_random(const struct walk *walk, struct source_batch *batch, do
                 sound = sound && isfinite(sphere.x[d]);
                 sphere.x[d] = box_coordinate(&scene->box, d, sphere.x[d]);
             }
-            if (sound && !left_out(&scene->source[s], &sphere))
+            if (sound && !source_sphere_left_out(&scene->source[s], &sphere))
                 placegrid_add(grid, sphere.x, sphere.radius);
         }
     bool good = packing_make(scene, walk->share, grid, batch, walk->error);
@@ -239,18 +305,21 @@ static bool place_random(const struct walk *walk, struct source_batch *batch, do
     return good;
 }
 
-/* Sources are made in their order, but random ones last of all, as these avoid all others. */
+/* All sources are made before the first is taken: random ones last of all, as these avoid all others, and new
+ * ids leave out those of all files. */
 static bool take_sources(struct walk *walk) {
     const struct scene *scene = walk->scene;
     struct source_batch *batch =
         memory_allocate_zero((size_t)scene->sources, sizeof(*batch), "batches of particles");
     double unit = random_radius(scene);
-    bool good = true, mixed = isfinite(unit);
-    for (int s = 0; s < scene->sources && good && mixed; s++)
+    bool good = true;
+    for (int s = 0; s < scene->sources && good; s++)
         good = make_batch(walk, s, &batch[s]);
-    good = good && (!mixed || place_random(walk, batch, unit));
+    good = good && (!isfinite(unit) || place_random(walk, batch, unit));
+    if (good)
+        source_ids_begin(&walk->new_ids, scene, batch);
     for (int s = 0; s < scene->sources; s++) {
-        good = good && (mixed || make_batch(walk, s, &batch[s])) && take_batch(walk, s, &batch[s]);
+        good = good && take_batch(walk, s, &batch[s]);
         source_batch_free(&batch[s]);
     }
     memory_free(batch);
@@ -275,8 +344,10 @@ bool scene_particles(const struct scene *scene, const struct scene_share *share,
                      struct scene_census *census, struct error *error) {
     struct walk walk = {.scene = scene, .share = share, .particles = particles, .error = error};
     bool good = take_sources(&walk) && check_groups(&walk) &&
-                check_unique(&walk, &walk.ids, "has the id of") &&
-                check_unique(&walk, &walk.places, "its centre coincides with that of");
+                check_unique(&walk, &walk.ids, "has the id of",
+                             "; `ids: new` numbers the particles of a file anew") &&
+                check_unique(&walk, &walk.places, "its centre coincides with that of", "");
+    source_ids_free(&walk.new_ids);
     unique_free(&walk.ids);
     unique_free(&walk.places);
     if (census)

@@ -14,7 +14,7 @@ enum {
     SCENE_NOTE_MAX = 256,
     SCENE_NAME_MAX = 64,
     SCENE_IDS_MAX = 1024,
-    SCENE_PAIRS_MAX = 528
+    SCENE_PAIRS_MAX = 32640 /* of 255 materials */
 };
 
 enum scene_units { SCENE_UNITS_SI, SCENE_UNITS_NONE };

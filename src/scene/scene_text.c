@@ -3,6 +3,7 @@
 #include "scene/scene_text.h"
 
 #include "core/memory.h"
+#include "files/file.h"
 
 #include <errno.h>
 #include <string.h>
@@ -17,6 +18,9 @@ static const char *reading_error(gzFile file) {
 
 bool scene_read_text(const char *path, char **text, size_t *length, struct error *error) {
     *text = NULL;
+    const char *waits = file_waits(path);
+    if (waits)
+        return error_set(error, ERROR_USER, "%s: %s", path, waits);
     gzFile file = gzopen(path, "rb");
     if (!file)
         return error_set(error, ERROR_USER, "%s: cannot be read: %s", path, strerror(errno));

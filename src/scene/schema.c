@@ -240,7 +240,7 @@ const char *schema_target_name(const char *root, const char *target, int k) {
     const struct schema_row *name = schema_row_find(list->sub, "name", 4);
     if (k < 0 || k >= *(const int *)(root + list->count_offset))
         return NULL;
-    return root + list->offset + (size_t)k * list->size + name->offset;
+    return schema_elements(list, root) + (size_t)k * list->size + name->offset;
 }
 
 /* The allowed values, in words. */
@@ -299,6 +299,10 @@ void schema_allowed(const struct schema_row *row, char *text, size_t room) {
     if (row->type != SCHEMA_SEED)
         range_words(row, range, sizeof(range));
     append_word(text, room, "", range);
+    if (row->type == SCHEMA_LIST) {
+        snprintf(range, sizeof(range), ", up to %d", row->max - row->first);
+        append_word(text, room, "", range);
+    }
     if (row->unit && row->unit[0])
         append_word(text, room, ", in ", row->unit);
 }

@@ -9,9 +9,11 @@
 static const struct schema_row material_rows[] = {
     {.key = "name", .type = SCHEMA_TEXT, .required = true, .in_column = true, AT(struct law_material, name),
      .help = "name of the material for other keys", .example = "glass"},
-    {.key = "density", .type = SCHEMA_REAL, .unit = "kg/m3", .range = "(0, inf)", .required = true,
-     AT(struct law_material, density), .help = "mass of a sphere over its volume, in two dimensions too",
+    {.key = "density", .type = SCHEMA_REAL, .unit = "kg/m3", .when = "/box.density=volume", .range = "(0, inf)", .required = true,
+     AT(struct law_material, density), .help = "mass of a sphere over its volume, in two dimensions too (box.density: area changes that)",
      .example = "2500"},
+    {.key = "density", .type = SCHEMA_REAL, .unit = "kg/m2", .when = "/box.density=area", .range = "(0, inf)", .required = true,
+     AT(struct law_material, density), .help = "mass of a disc over its area", .example = "5"},
     {.key = "young", .type = SCHEMA_REAL, .unit = "Pa", .range = "(0, inf)", .when = "/contact.law:moduli & /contact.damping=restitution|viscoelastic|tsuji",
      .required = true, AT(struct law_material, young), .help = "Young's modulus", .example = "70 GPa"},
     {.key = "poisson", .type = SCHEMA_REAL, .range = "(-1, 0.5]", .when = "/contact.law:moduli & /contact.damping=restitution|viscoelastic|tsuji",
@@ -195,7 +197,7 @@ static const struct schema_row contact_rows[] = {
     {.key = "damping", .type = SCHEMA_NAME, .names = damping_names, .fallback = "restitution",
      AT(struct law_options, damping), .help = "source of the damping"},
     {.key = "end", .type = SCHEMA_NAME, .names = end_names, .fallback = "force",
-     AT(struct law_options, end), .help = "the end of a contact; both ends give the given restitution"},
+     AT(struct law_options, end), .help = "the end of a contact; both ends give the given restitution; left out beside lammps_history or lammps_granular: overlap"},
     {.key = "tangential", .type = SCHEMA_NAME, .names = tangential_names, .fallback = "history", .traits = tangential_traits,
      AT(struct law_options, tangential), .help = "the tangential force"},
     {.key = "sliding", .type = SCHEMA_NAME, .names = sliding_names, .fallback = "series",
@@ -216,10 +218,10 @@ static const struct schema_row contact_rows[] = {
      .help = "the tangential damping coefficient equals the normal one, as in LAMMPS's pair_style granular"},
     {.key = "lammps_history", .alias = "lammps_hooke", .type = SCHEMA_BOOL, .fallback = "false",
      AT(struct law_options, lammps_history),
-     .help = "exactly gran/hooke/history or gran/hertz/history of LAMMPS, for comparisons; the lever is then the radius; needs "
-             "damping: coefficient, end: overlap, rolling: none and integrator: velocity_verlet"},
+     .help = "exactly gran/hooke/history or gran/hertz/history of LAMMPS, for comparisons; the lever is then the radius; takes end: overlap; needs "
+             "damping: coefficient, rolling: none and integrator: velocity_verlet"},
     {.key = "lammps_granular", .type = SCHEMA_BOOL, .fallback = "false", AT(struct law_options, lammps_granular),
-     .help = "exactly pair_style granular of LAMMPS, for comparisons; the lever of the slip is the radius; needs end: overlap and integrator: velocity_verlet"},
+     .help = "exactly pair_style granular of LAMMPS, and wall/gran granular at walls, for comparisons; the lever of the slip is the radius, at walls that of the torque, too; takes end: overlap; needs integrator: velocity_verlet"},
 };
 const struct schema_table schema_contact = TABLE(contact_rows);
 /* clang-format on */

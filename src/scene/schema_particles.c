@@ -102,6 +102,10 @@ static const struct schema_name format_names[] = {
     {"table", SOURCE_TABLE, "numbers in columns"},
     {"h5md", SOURCE_H5MD, "H5MD, in the form that this program writes"},
     {0}};
+static const struct schema_name ids_names[] = {
+    {"file", SOURCE_IDS_FILE, "the ids of the file stand; an id that another source has, too, is refused"},
+    {"new", SOURCE_IDS_NEW, "new ids"},
+    {0}};
 static const struct schema_name lattice_names[] = {
     {"sc", SOURCE_SC, "simple cubic"},
     {"fcc", SOURCE_FCC, "face-centred cubic"},
@@ -135,6 +139,8 @@ static const struct schema_row source_rows[] = {
      SOURCE(scale), .help = "factor for lengths in the file"},
     {.key = "offset", .type = SCHEMA_VECTOR, .unit = "m", .fallback = "[0, 0, 0]", .when = "from=file",
      SOURCE(offset), .help = "added to positions, after scaling"},
+    {.key = "ids", .type = SCHEMA_NAME, .names = ids_names, .fallback = "file", .when = "from=file",
+     SOURCE(ids), .help = "ids of the particles; those of a file without ids are new, see `id`"},
     {.key = "types", .type = SCHEMA_REFS, .target = "materials", .when = "from=file",
      ARRAY_AT(struct source_options, type_material, type_count),
      .help = "materials of type 1, 2, ... of the file; left out: type t is material number t of the scene",
@@ -172,7 +178,7 @@ static const struct schema_row source_rows[] = {
      .required = true, SOURCE(radius), .help = "radius of the particle", .example = "1 cm"},
     {.key = "id", .type = SCHEMA_LONG, .range = "[0, inf)", .fallback = "0", .when = "from=single",
      SOURCE(id),
-     .help = "id of the particle, for observables; 0: the next free id (the first particle of the first source has id 1)"},
+     .help = "id of the particle; 0: a new one. New ids count from 1 in the order of the sources, without those that files or other sources name"},
     {.key = "material", .type = SCHEMA_REF, .target = "materials", SOURCE(material),
      .help = "the material, whatever the file says; may be left out if there is only one material or the file has types", .example = "glass"},
     {.key = "group", .type = SCHEMA_REF, .target = "groups", SOURCE(group),
@@ -180,18 +186,22 @@ static const struct schema_row source_rows[] = {
     {.key = "velocity", .type = SCHEMA_VECTOR, .unit = "m/s", .fallback = "[0, 0, 0]", SOURCE(velocity),
      .help = "velocity, added to the velocities of the file", .example = "[0, 0, -5]"},
     {.key = "velocity_sigma", .type = SCHEMA_REAL, .unit = "m/s", .range = "[0, inf)", .fallback = "0",
-     SOURCE(velocity_sigma), .help = "standard deviation of each component of a random velocity, added too"},
+     SOURCE(velocity_sigma), .help = "standard deviation of each component of a random velocity, added too; the mean over the free particles of the source, weighted by mass, is taken off, so that it adds no momentum, in any box (but for a particle alone)"},
     {.key = "omega", .type = SCHEMA_VECTOR, .unit = "rad/s", .fallback = "[0, 0, 0]", SOURCE(omega),
      .help = "angular velocity, added to the angular velocities of the file"},
-    {.key = "density", .type = SCHEMA_REAL, .unit = "kg/m3", .range = "[0, inf)", .fallback = "0",
+    {.key = "density", .type = SCHEMA_REAL, .unit = "kg/m3", .when = "/box.density=volume", .range = "[0, inf)", .fallback = "0",
      SOURCE(density), .help = "density of these particles; 0: the density of the file (1 in a packing by `scree pack` without density=), else the "
              "density of the material"},
+    {.key = "density", .type = SCHEMA_REAL, .unit = "kg/m2", .when = "/box.density=area", .range = "[0, inf)", .fallback = "0",
+     SOURCE(density), .help = "mass of a disc over its area; 0: the mass of the file, else the density of the material"},
+    {.key = "temperature", .type = SCHEMA_REAL, .unit = "K", .range = "[0, inf)", SOURCE(temperature),
+     .help = "temperature of these particles at the start; left out: heat.temperature; needs heat", .example = "400 K"},
 };
 static const struct schema_table source_table = TABLE(source_rows);
 
 static const struct schema_row particles_rows[] = {
     {.key = "sources", .type = SCHEMA_LIST, .sub = &source_table, .short_form = true,
-     ARRAY_AT(struct scene, source, sources), .help = "files and generators, one after the other"},
+     LIST_AT(struct scene, source, sources, SOURCES_MAX), .help = "files and generators, one after the other"},
 };
 const struct schema_table schema_particles = TABLE(particles_rows);
 
@@ -254,15 +264,19 @@ static const struct schema_row insertion_rows[] = {
     {.key = "velocity", .type = SCHEMA_VECTOR, .unit = "m/s", .fallback = "[0, 0, 0]", INSERTION(velocity),
      .help = "velocity of the particles", .example = "[0, 0, -1]"},
     {.key = "velocity_sigma", .type = SCHEMA_REAL, .unit = "m/s", .range = "[0, inf)", .fallback = "0",
-     INSERTION(velocity_sigma), .help = "standard deviation of each component of a random velocity, added"},
+     INSERTION(velocity_sigma), .help = "standard deviation of each component of a random velocity, added; with a mean that is 0 only in the long run, as particles come one by one"},
     {.key = "omega", .type = SCHEMA_VECTOR, .unit = "rad/s", .fallback = "[0, 0, 0]", INSERTION(omega),
      .help = "angular velocity of the particles"},
     {.key = "material", .type = SCHEMA_REF, .target = "materials", INSERTION(material),
      .help = "the material; may be left out if there is only one material", .example = "glass"},
     {.key = "group", .type = SCHEMA_REF, .target = "groups", INSERTION(group),
      .help = "the group; left out: free"},
-    {.key = "density", .type = SCHEMA_REAL, .unit = "kg/m3", .range = "[0, inf)", .fallback = "0",
+    {.key = "density", .type = SCHEMA_REAL, .unit = "kg/m3", .when = "/box.density=volume", .range = "[0, inf)", .fallback = "0",
      INSERTION(density), .help = "density; 0: the density of the material"},
+    {.key = "density", .type = SCHEMA_REAL, .unit = "kg/m2", .when = "/box.density=area", .range = "[0, inf)", .fallback = "0",
+     INSERTION(density), .help = "mass of a disc over its area; 0: the density of the material"},
+    {.key = "temperature", .type = SCHEMA_REAL, .unit = "K", .range = "[0, inf)", INSERTION(temperature),
+     .help = "temperature of the particles as they come; left out: heat.temperature; needs heat", .example = "400 K"},
 };
 const struct schema_table schema_insertion = TABLE(insertion_rows);
 

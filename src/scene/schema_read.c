@@ -2,6 +2,7 @@
 /* From the tree, whose short forms are resolved (schema_normalise.h), to the struct. Rows that do not apply are
  * left as they are (the struct comes zeroed): two keys may share a place. */
 #include "scene/schema_read.h"
+#include "core/memory.h"
 #include "scene/mistakes.h"
 #include "scene/schema_root.h"
 #include "scene/schema_unknown.h"
@@ -29,6 +30,10 @@ static bool read_list(struct schema_reader *reader, const struct schema_row *row
     if (node->children > (size_t)(row->max - row->first))
         return schema_fail(reader, node, key, "%zu entries; at most %d are possible", node->children,
                            row->max - row->first);
+    if (row->apart) {
+        void *elements = memory_allocate_zero(node->children, row->size, "a list of a scene");
+        memcpy(base + row->offset, &elements, sizeof(elements));
+    }
     bool good = true;
     for (size_t k = 0; k < node->children && !mistakes_full(reader->error); k++) {
         char prefix[SCHEMA_KEY_MAX];
@@ -37,7 +42,7 @@ static bool read_list(struct schema_reader *reader, const struct schema_row *row
         else
             snprintf(prefix, sizeof(prefix), "%.200s[%zu].", key, k);
         good = read_table(reader, row->sub, node->child[k], prefix,
-                          base + row->offset + (size_t)count * row->size) &&
+                          schema_elements(row, base) + (size_t)count * row->size) &&
                good;
         count++;
         memcpy(base + row->count_offset, &count, sizeof(count));

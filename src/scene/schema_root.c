@@ -86,10 +86,17 @@ static const struct schema_row stress_rows[] = {
 };
 static const struct schema_table stress_table = TABLE(stress_rows);
 
+static const struct schema_name density_names[] = {
+    {"volume", BOX_DENSITY_VOLUME, "mass of a sphere over its volume, in two dimensions too"},
+    {"area", BOX_DENSITY_AREA, "in two dimensions: mass over the area pi r2 of a disc, in kg/m2"},
+    {0}};
+
 static const struct schema_row box_rows[] = {
     {.key = "dimension", .type = SCHEMA_INT, .fallback = "3", .range = "[2, 3]",
      AT(struct scene, box.dimension),
      .help = "2: centres stay in the middle plane of z, and particles turn about z alone"},
+    {.key = "density", .type = SCHEMA_NAME, .names = density_names, .fallback = "volume", AT(struct scene, box.density),
+     .help = "what `density` means in materials, sources and insertions"},
     {.key = "lower", .type = SCHEMA_VECTOR, .unit = "m", AT(struct scene, box_lower),
      .help = "lower corner; may be left out, with upper, if the first particle file has a box",
      .example = "[0, 0, 0]"},
@@ -279,7 +286,7 @@ static const struct schema_row guards_rows[] = {
      AT(struct scene_guards, overlap_bound),
      .help = "largest overlap allowed, as a part of the smaller radius"},
     {.key = "nan", .type = SCHEMA_NAME, .names = nan_names, .fallback = "stop",
-     AT(struct scene_guards, nan), .help = "a position or velocity that is not a number"},
+     AT(struct scene_guards, nan), .help = "a position, velocity, spin, temperature, energy or force that is not finite"},
     {.key = "speed", .type = SCHEMA_NAME, .names = guard_names, .fallback = "stop",
      AT(struct scene_guards, speed),
      .help = "a particle that moves by more than the smallest radius in a step: such a particle may pass through others unseen"},
@@ -332,20 +339,20 @@ static const struct schema_row root_rows[] = {
      ARRAY_AT(struct scene, material, materials),
      .help = "materials of particles and walls; may be left out if the scene has another physics: then nothing touches"},
     {.key = "material_pairs", .type = SCHEMA_LIST, .sub = &schema_pair,
-     ARRAY_AT(struct scene, pair, pairs),
+     LIST_AT(struct scene, pair, pairs, SCENE_PAIRS_MAX),
      .help = "coefficients of each pair of materials that may meet, a material with itself included"},
     {.key = "groups", .type = SCHEMA_LIST, .sub = &schema_group, .first = 1,
      ARRAY_AT(struct scene, group, groups),
      .help = "particles that do not move freely; the group `free` always exists"},
-    {.key = "walls", .type = SCHEMA_LIST, .sub = &schema_wall, ARRAY_AT(struct scene, wall, walls),
+    {.key = "walls", .type = SCHEMA_LIST, .sub = &schema_wall, LIST_AT(struct scene, wall, walls, WALLS_MAX),
      .help = "planes, cylinders and triangle meshes"},
     {.key = "particles", .type = SCHEMA_SECTION, .sub = &schema_particles,
      .help = "the sources of the particles; the keys of a single source may stand here directly"},
     {.key = "insertions", .type = SCHEMA_LIST, .sub = &schema_insertion,
-     ARRAY_AT(struct scene, insertion, insertions),
+     LIST_AT(struct scene, insertion, insertions, INSERTIONS_MAX),
      .help = "regions in which particles appear during the run"},
     {.key = "deletions", .type = SCHEMA_LIST, .sub = &schema_deletion,
-     ARRAY_AT(struct scene, deletion, deletions), .help = "regions in which particles disappear"},
+     LIST_AT(struct scene, deletion, deletions, DELETIONS_MAX), .help = "regions in which particles disappear"},
     {.key = "index", .type = SCHEMA_SECTION, .sub = &index_table, .main = "name",
      .offset = offsetof(struct scene, index), .help = "the search for pairs"},
     {.key = "classes", .type = SCHEMA_SECTION, .sub = &classes_table, .main = "method",

@@ -84,6 +84,8 @@ struct schema_row {
     int first;       /* LIST: number of the first element read; those before are filled by the program */
     size_t offset, size, count_offset;
     int max;
+    bool
+        apart; /* LIST: at the offset is a pointer to the elements, which reading allocates; the section's owner frees them */
     const char *help, *example;
 };
 
@@ -95,6 +97,17 @@ struct schema_row {
     .offset = offsetof(type, member), .size = sizeof(((type *)0)->member[0]),                                \
     .max = sizeof(((type *)0)->member) / sizeof(((type *)0)->member[0]),                                     \
     .count_offset = offsetof(type, counter)
+
+/* The same of a list whose elements lie apart: a pointer. */
+#define LIST_AT(type, member, counter, most)                                                                 \
+    .offset = offsetof(type, member), .size = sizeof(*((type *)0)->member), .apart = true, .max = (most),    \
+    .count_offset = offsetof(type, counter)
+
+/* The elements of a list of the section at `base`. */
+static inline char *schema_elements(const struct schema_row *row, const char *base) {
+    char *at = (char *)base + row->offset;
+    return row->apart ? *(char **)(void *)at : at;
+}
 
 #define TABLE(array)                                                                                         \
     { array, sizeof(array) / sizeof(array[0]) }

@@ -51,20 +51,41 @@ static bool is_called(const struct tree_node *element, const char *text, size_t 
     return false;
 }
 
+/* True if the elements of a list hold between two materials, and `name` names two. */
+static bool names_pair(const struct schema_table *table, const char *name, size_t length) {
+    return schema_row_find(table, "between", 7) && memchr(name, ',', length);
+}
+
+/* Writes what names an element in brackets: its name, its two materials, or its number. */
+static void label_of(const struct tree_node *element, size_t number, char *text, size_t room) {
+    const struct tree_node *name = element->kind == TREE_MAP ? tree_get(element, "name") : NULL;
+    const struct tree_node *between = element->kind == TREE_MAP ? tree_get(element, "between") : NULL;
+    bool pair = between && between->kind == TREE_LIST && between->children == 2 && between->child[0]->text &&
+                between->child[1]->text;
+    if (name && name->kind == TREE_SCALAR)
+        snprintf(text, room, "%.100s", name->text);
+    else if (pair)
+        snprintf(text, room, "'%.100s, %.100s'", between->child[0]->text, between->child[1]->text);
+    else
+        snprintf(text, room, "%zu", number);
+}
+
 /* Refuses a name in brackets that no element has. */
-static bool refuse_name(struct descent *descent, const struct tree_node *list, const char *name,
-                        size_t length) {
-    char known[512] = "";
+static bool refuse_name(struct descent *descent, const struct schema_table *table,
+                        const struct tree_node *list, const char *name, size_t length) {
+    char known[512] = "", label[256], remedy[SCHEMA_KEY_MAX + 80] = "";
     for (size_t k = 0; k < list->children; k++) {
-        const struct tree_node *called =
-            list->child[k]->kind == TREE_MAP ? tree_get(list->child[k], "name") : NULL;
         size_t used = strlen(known);
-        if (called && called->kind == TREE_SCALAR)
-            snprintf(known + used, sizeof(known) - used, "%s%s", used ? ", " : "", called->text);
+        label_of(list->child[k], k, label, sizeof(label));
+        snprintf(known + used, sizeof(known) - used, "%s%s", used ? ", " : "", label);
     }
+    if (names_pair(table, name, length) && !descent->out)
+        snprintf(remedy, sizeof(remedy),
+                 "; %.*s={...} adds an entry, and one without 'between' serves all other pairs",
+                 (int)(name + length + 1 - descent->whole), descent->whole);
     return schema_fail(descent->reader, descent->value, descent->whole,
-                       "nothing in this list is called '%.*s'; known: %s", (int)length, name,
-                       known[0] ? known : "no name");
+                       "nothing in this list is called '%.*s'; known: %s%s", (int)length, name,
+                       known[0] ? known : "nothing", remedy);
 }
 
 /* The element in the brackets at *key, which is moved behind the brackets: a number, or a name. A name that no element
@@ -81,7 +102,7 @@ static bool read_place(struct descent *descent, const struct schema_row *row, co
     *key = name + length + 1;
     if (end == name + length)
         return true;
-    bool named = schema_row_find(row->sub, "name", 4) != NULL;
+    bool named = schema_row_find(row->sub, "name", 4) != NULL || names_pair(row->sub, name, length);
     snprintf(place->name, sizeof(place->name), "%.*s", named ? (int)length : 0, name);
     for (size_t k = 0; k < list->children; k++)
         if (is_called(list->child[k], name, length)) {
@@ -90,17 +111,32 @@ static bool read_place(struct descent *descent, const struct schema_row *row, co
         }
     bool whole = **key == '\0' && !descent->out && named;
     place->number = list->children;
-    return whole || refuse_name(descent, list, name, length);
+    return whole || refuse_name(descent, row->sub, list, name, length);
 }
 
-/* Gives an element the name that stood in the brackets, unless it has one. */
-static void name_element(struct tree_node *element, const char *name) {
-    if (!name[0] || element->kind != TREE_MAP || tree_get(element, "name"))
-        return;
-    struct tree_node *text = tree_new(TREE_SCALAR, element->line);
-    text->text = tree_text(name, strlen(name));
+/* A text of the scene that stood in the brackets of a key. */
+static struct tree_node *bracket_text(const char *from, size_t length, long line) {
+    struct tree_node *text = tree_new(TREE_SCALAR, line);
+    text->text = tree_text(from, length);
     text->quoted = true;
-    tree_put(element, "name", text);
+    return text;
+}
+
+/* Gives an element the name, or the two materials, that stood in the brackets, unless it has them. */
+static void name_element(struct tree_node *element, const char *name) {
+    const char *comma = strchr(name, ',');
+    const char *key = comma ? "between" : "name";
+    if (!name[0] || element->kind != TREE_MAP || tree_get(element, key))
+        return;
+    if (comma) {
+        const char *second = comma + 1 + strspn(comma + 1, " ");
+        struct tree_node *pair = tree_new(TREE_LIST, element->line);
+        tree_append(pair, bracket_text(name, (size_t)(comma - name), element->line));
+        tree_append(pair, bracket_text(second, strlen(second), element->line));
+        tree_put(element, key, pair);
+        return;
+    }
+    tree_put(element, key, bracket_text(name, strlen(name), element->line));
 }
 
 /* The child under `name`, made if it is not there. */

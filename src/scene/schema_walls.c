@@ -22,6 +22,10 @@ static const struct schema_row motion_rows[] = {
      .help = "time of the beginning of the motion"},
     {.key = "stop", .type = SCHEMA_REAL, .unit = "s", .fallback = ".inf", .range = "[-inf, inf]",
      AT(struct wall_motion, stop), .help = "time of the end"},
+    {.key = "surface", .type = SCHEMA_BOOL, .fallback = "false", .when = "kind=translate|rotate|oscillate|oscillate_rotation|table",
+     AT(struct wall_motion, surface),
+     .help = "true: the wall stays, and its surface alone moves, as that of a belt; a contact takes the part of the velocity along the "
+             "surface"},
     {.key = "velocity", .type = SCHEMA_VECTOR, .unit = "m/s", .when = "kind=translate", .required = true,
      AT(struct wall_motion, velocity), .help = "velocity", .example = "[0, 0, -1 mm/s]"},
     {.key = "direction", .type = SCHEMA_VECTOR, .when = "kind=rotate|oscillate|oscillate_rotation|servo",
@@ -81,8 +85,8 @@ static const struct schema_name shape_names[] = {{"plane", WALL_PLANE, "infinite
 static const char *mesh_format_choice(int k, const char **help) {
     static const char *const names[][2] = {{"auto", "by content"},
                                            {"stl", "STL, ASCII or binary"},
-                                           {"obj", "Wavefront OBJ, by assimp"},
-                                           {"ply", "PLY, by assimp"},
+                                           {"obj", "Wavefront OBJ"},
+                                           {"ply", "PLY, ASCII or binary"},
                                            {"table", "nine numbers a row: three corners"}};
     if (k >= (int)(sizeof(names) / sizeof(names[0])))
         return NULL;

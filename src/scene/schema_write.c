@@ -195,7 +195,8 @@ static void write_table(const struct writer *writer, const struct schema_table *
         } else if (row->type == SCHEMA_LIST) {
             fprintf(writer->out, "\n");
             for (int e = row->first; e < count_of(row, base); e++)
-                write_table(writer, row->sub, base + row->offset + (size_t)e * row->size, indent + 4, true);
+                write_table(writer, row->sub, schema_elements(row, base) + (size_t)e * row->size, indent + 4,
+                            true);
         } else {
             fprintf(writer->out, " ");
             write_value(writer, row, base);

@@ -17,7 +17,8 @@ static bool prepare_table(struct sizes_sampler *sampler, struct error *error) {
         return error_set(error, ERROR_USER, "a table needs two radii at least");
     for (int k = 1; k < o->points; k++)
         if (!(o->radii[k] > o->radii[k - 1]) || o->share[k] < o->share[k - 1])
-            return error_set(error, ERROR_USER, "radii must increase, and passing must not fall (entry %d)",
+            return error_set(error, ERROR_USER,
+                             "the sizes must increase, and passing must not fall (entry %d, counted from 0)",
                              k);
     if (o->share[0] != 0 || o->share[o->points - 1] != 1)
         return error_set(error, ERROR_USER, "passing must begin with 0 and end with 1");

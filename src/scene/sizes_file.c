@@ -55,6 +55,18 @@ static bool read_file(struct sizes_options *sizes, struct error *error) {
     return good;
 }
 
+/* True if the sizes of a sieve curve increase. */
+static bool sizes_rise(const char *what, const double *size, int count, struct error *error) {
+    for (int k = 1; k < count; k++)
+        if (!(size[k] > size[k - 1]))
+            return error_set(
+                error, ERROR_USER,
+                "%s must increase: %g comes after %g; begin with the finest sieve, through which nothing "
+                "passes (passing: 0)",
+                what, size[k], size[k - 1]);
+    return true;
+}
+
 bool sizes_file_complete(struct sizes_options *o, bool *in_file, struct error *error) {
     bool discrete = o->law == SIZES_DISCRETE;
     const char *share = discrete ? "weights" : "passing";
@@ -72,6 +84,10 @@ bool sizes_file_complete(struct sizes_options *o, bool *in_file, struct error *e
         *in_file = true;
         return false;
     }
+    if (!discrete && !o->file[0] &&
+        !(sizes_rise("radii", o->radii, o->points, error) &&
+          sizes_rise("diameters", o->diameter, o->diameters, error)))
+        return false;
     for (int k = 0; k < o->diameters; k++)
         o->radii[k] = o->diameter[k] / 2;
     o->points = o->diameters > 0 ? o->diameters : o->points;

@@ -11,7 +11,7 @@
 #include <stdint.h>
 
 enum {
-    SOURCES_MAX = 32,
+    SOURCES_MAX = 10000,
     SOURCE_COLUMNS_MAX = 32,
     SOURCE_PATH_MAX = 1024,
     SOURCE_NAME_MAX = 64,
@@ -20,6 +20,7 @@ enum {
 
 enum source_kind { SOURCE_FILE, SOURCE_LATTICE, SOURCE_RANDOM, SOURCE_SINGLE };
 enum source_format { SOURCE_LAMMPS_DATA, SOURCE_TABLE, SOURCE_H5MD };
+enum source_ids_rule { SOURCE_IDS_FILE, SOURCE_IDS_NEW };
 enum source_lattice { SOURCE_SC, SOURCE_FCC, SOURCE_HCP, SOURCE_SQUARE, SOURCE_HEXAGONAL };
 
 struct source_options {
@@ -33,6 +34,7 @@ struct source_options {
                [SOURCE_NAME_MAX]; /* TABLE: what each column holds; none given: the file's header says so */
     int64_t skip_rows, rows;      /* TABLE: data rows left out at the start; rows read (0: all) */
     int64_t frame;                /* H5MD: which stored step, negative from the end (-1: the last) */
+    enum source_ids_rule ids;     /* FILE: those of the file, if it has some, or new ones */
     double scale;                 /* lengths in the file x this; then offset is added */
     int type_count;
     int type_material[SOURCE_TYPES_MAX]; /* FILE: material of type 1, 2, ...; none given: `material`, or type
@@ -50,14 +52,15 @@ struct source_options {
     int64_t attempts;       /* RANDOM: places tried for one sphere before giving up */
     /* SINGLE */
     double position[3], radius;
-    int64_t id; /* 0: the next free one */
+    int64_t id; /* 0: a new one */
     /* all */
     double offset[3]; /* FILE: added to positions after scaling */
     int material, group;
     double velocity[3];    /* added to the velocity in the file */
     double velocity_sigma; /* standard deviation of each component of a random velocity */
     double omega[3];
-    double density; /* 0: the file's, else the material's */
+    double density;     /* 0: the file's, else the material's */
+    double temperature; /* NAN: that of the section heat */
 };
 
 #endif

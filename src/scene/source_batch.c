@@ -2,7 +2,6 @@
 /* The common part of the kinds of particle source: the life of a batch, keys for messages, the region that is
  * meant. */
 #include "scene/source_batch.h"
-
 #include "core/memory.h"
 
 #include <stdio.h>
@@ -10,8 +9,6 @@
 
 void source_batch_free(struct source_batch *batch) {
     rows_free(&batch->rows);
-    memory_free(batch->line);
-    batch->line = NULL;
 }
 
 const char *source_key(int source, const char *key, char *text, size_t room) {
@@ -33,4 +30,15 @@ struct region source_region(const struct scene *scene, const struct region *regi
         space->wrap[d] = scene->box.periodic[d] && resolved.shape == REGION_BOX &&
                          resolved.lower[d] <= scene->box_lower[d] && resolved.upper[d] >= scene->box_upper[d];
     return resolved;
+}
+
+bool source_room(double count, double bytes, struct error *error) {
+    const double gib = 1024.0 * 1024.0 * 1024.0;
+    size_t room = memory_room();
+    return room == SIZE_MAX || count * bytes <= (double)room ||
+           error_set(error, ERROR_USER,
+                     "particles: %.0f particles need %.3g GiB of memory at least, and %.3g GiB are free "
+                     "here; allowed: "
+                     "fewer particles, or more ranks on other machines",
+                     count, count * bytes / gib, (double)room / gib);
 }

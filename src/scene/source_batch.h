@@ -17,7 +17,6 @@ enum { SOURCE_SPHERES_MAX = 200000000 };
 /* The spheres of one source. */
 struct source_batch {
     struct rows rows;     /* position and radius always; mass 0: not given */
-    uint32_t *line;       /* line of each row in its file; NULL: the row has no line */
     bool materials_named; /* rows.material is a number of the scene's materials, not a type of the file */
 };
 
@@ -27,6 +26,11 @@ void source_batch_free(struct source_batch *batch);
 /* A region with REGION_ALL resolved to the box, and the space of the region. */
 struct region source_region(const struct scene *scene, const struct region *region,
                             struct region_space *space);
+
+/* Fails (user) if `count` particles of `bytes` bytes do not fit into the memory that this process can still get. SOURCE_BYTES: the
+ * least that a run holds of a particle of its own. */
+enum { SOURCE_BYTES = 250 };
+bool source_room(double count, double bytes, struct error *error);
 
 /* "particles.sources[S].KEY" */
 const char *source_key(int source, const char *key, char *text, size_t room);

@@ -45,7 +45,7 @@ struct source_sphere source_sphere_of(const struct source_options *options, cons
     const struct rows *rows = &batch->rows;
     struct source_sphere sphere = {.radius = rows->radius[k],
                                    .material = rows->material ? rows->material[k] : 0,
-                                   .line = batch->line ? batch->line[k] : 0};
+                                   .line = rows->line ? rows->line[k] : 0};
     bool file = options->kind == SOURCE_FILE;
     if (rows->mass && rows->mass[k] > 0)
         sphere.density = rows->mass[k] / particles_sphere_mass(sphere.radius, 1);
@@ -61,6 +61,11 @@ struct source_sphere source_sphere_of(const struct source_options *options, cons
     return sphere;
 }
 
+bool source_sphere_left_out(const struct source_options *options, const struct source_sphere *sphere) {
+    return options->kind == SOURCE_FILE && sphere->radius > 0 &&
+           !(sphere->radius > options->radius_above && sphere->radius <= options->radius_upto);
+}
+
 /* Refuses values that no source may give. */
 static bool check_given(const struct subject *at) {
     const struct source_sphere *sphere = at->sphere;
@@ -69,8 +74,8 @@ static bool check_given(const struct subject *at) {
             return fail(at, "position, velocity or spin is not a finite number");
     if (!(sphere->radius > 0) || !isfinite(sphere->radius))
         return fail(at, "the radius must be > 0 and finite");
-    if (sphere->id < 1)
-        return fail(at, "ids must be >= 1");
+    if (sphere->id < 1 || sphere->id > SOURCE_ID_MAX)
+        return fail(at, "ids must lie between 1 and 2^62");
     return true;
 }
 
@@ -124,22 +129,28 @@ static int select_group(const struct scene *scene, const struct source_sphere *s
     return chosen;
 }
 
-/* Density and velocity, once the material is known. */
-static bool complete(const struct subject *at, struct source_sphere *sphere) {
-    const struct scene *scene = at->scene;
-    const struct source_options *options = &scene->source[at->source];
-    if (options->density > 0)
-        sphere->density = options->density;
-    else if (!(sphere->density > 0))
-        sphere->density = scene->material[sphere->material].density;
-    if (!(sphere->density > 0))
-        return fail(at, "has no density: the scene has no materials, so the source needs `density`");
-    struct random_sequence random = random_sequence(scene->seed, RANDOM_VELOCITY, (uint64_t)sphere->id);
+void source_sphere_shake(const struct scene *scene, int source, int64_t id, double v[3]) {
+    const struct source_options *options = &scene->source[source];
+    struct random_sequence random = random_sequence(scene->seed, RANDOM_VELOCITY, (uint64_t)id);
     for (int d = 0; d < 3; d++) {
         bool flat = scene->box.dimension == 2 && d == 2;
-        sphere->v[d] +=
-            options->velocity[d] +
-            (options->velocity_sigma > 0 && !flat ? options->velocity_sigma * random_normal(&random) : 0);
+        v[d] = options->velocity_sigma > 0 && !flat ? options->velocity_sigma * random_normal(&random) : 0;
+    }
+}
+
+/* Density and velocity, once the material is known. */
+static bool complete(const struct subject *at, const double shake[3], struct source_sphere *sphere) {
+    const struct scene *scene = at->scene;
+    const struct source_options *options = &scene->source[at->source];
+    double given = options->density;
+    if (!(given > 0) && !(sphere->density > 0))
+        given = scene->material[sphere->material].density;
+    if (given > 0)
+        sphere->density = particles_density(&scene->box, sphere->radius, given);
+    if (!(sphere->density > 0))
+        return fail(at, "has no density: the scene has no materials, so the source needs `density`");
+    for (int d = 0; d < 3; d++) {
+        sphere->v[d] += options->velocity[d] + shake[d];
         sphere->omega[d] += options->omega[d];
     }
     if (scene->box.dimension == 2 && (sphere->v[2] != 0 || sphere->omega[0] != 0 || sphere->omega[1] != 0))
@@ -201,9 +212,10 @@ static bool check_range(const struct subject *at, const double x[3]) {
 }
 
 bool source_sphere_complete(const struct scene *scene, int source, const struct source_batch *batch,
-                            struct source_sphere *sphere, double x[3], struct error *error) {
+                            const double shake[3], struct source_sphere *sphere, double x[3],
+                            struct error *error) {
     const struct subject at = {scene, source, sphere, error};
-    if (!check_given(&at) || !choose_material(&at, batch, sphere) || !complete(&at, sphere) ||
+    if (!check_given(&at) || !choose_material(&at, batch, sphere) || !complete(&at, shake, sphere) ||
         !place_in_box(&at, sphere, x))
         return false;
     int group = scene->source[source].group;

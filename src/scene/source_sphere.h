@@ -7,7 +7,7 @@
 
 /* One sphere of the stream, positions in the user's coordinates. */
 struct source_sphere {
-    int64_t id; /* 0: the next free one */
+    int64_t id;
     double x[3], v[3], omega[3];
     double radius, density; /* density 0: the material's */
     int material, group;    /* material -1: as the source says */
@@ -19,11 +19,18 @@ struct source_sphere {
 struct source_sphere source_sphere_of(const struct source_options *options, const struct source_batch *batch,
                                       size_t k);
 
-/* Gives a sphere its material, density, velocity and group by source and scene; x becomes its centre,
+/* True if the source keeps to radii among which this one is not. */
+bool source_sphere_left_out(const struct source_options *options, const struct source_sphere *sphere);
+
+/* The random part of the velocity of the sphere with this id (velocity_sigma of its source). */
+void source_sphere_shake(const struct scene *scene, int source, int64_t id, double v[3]);
+
+/* Gives a sphere its material, density, velocity (`shake` added to it) and group by source and scene; x becomes its centre,
  * box-relative and wrapped, with the images counted. Fails (user), with the sphere's place in the file, if
  * the sphere is not allowed. */
 bool source_sphere_complete(const struct scene *scene, int source, const struct source_batch *batch,
-                            struct source_sphere *sphere, double x[3], struct error *error);
+                            const double shake[3], struct source_sphere *sphere, double x[3],
+                            struct error *error);
 
 /* Fills `error` with the place of a sphere (line of its file, else its id) and the text; returns false. */
 bool source_sphere_fail(const struct scene *scene, int source, const struct source_sphere *sphere,

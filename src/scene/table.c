@@ -303,11 +303,14 @@ static bool read_row(const struct table *table, struct source_batch *batch, size
     double *radius = &batch->rows.radius[row];
     if (!(*radius > 0))
         return fail(table, "%s", "the radius must be > 0");
+    if (has_column(table, COLUMN_DENSITY) && table->scene->box.density == BOX_DENSITY_AREA)
+        return fail(table, "%s",
+                    "a column of densities is mass over volume, which box.density: area excludes");
     if (has_column(table, COLUMN_DENSITY) && !(batch->rows.mass[row] > 0))
         return fail(table, "%s", "the density must be > 0");
     if (has_column(table, COLUMN_DENSITY))
         batch->rows.mass[row] = particles_sphere_mass(*radius, batch->rows.mass[row]);
-    batch->line[row] = (uint32_t)table->lines.number;
+    batch->rows.line[row] = (uint32_t)table->lines.number;
     return true;
 }
 
@@ -322,7 +325,7 @@ static size_t count_rows(const struct table *table, long *last_line) {
 }
 
 static unsigned wanted_columns(const struct table *table) {
-    unsigned wanted = ROWS_POSITION | ROWS_RADIUS;
+    unsigned wanted = ROWS_POSITION | ROWS_RADIUS | ROWS_LINE;
     for (int k = 0; k < table->width; k++) {
         enum column column = table->column[k];
         wanted |= column == COLUMN_ID ? ROWS_ID : 0;
@@ -348,7 +351,6 @@ static bool read_rows(struct table *table, struct source_batch *batch) {
         return fail(table, "%s", count ? what : "the file holds no particles");
     }
     rows_create(&batch->rows, count, wanted_columns(table));
-    batch->line = memory_allocate(count, sizeof(*batch->line), "lines");
     for (size_t row = 0; row < count; row++)
         if (!table_lines_next(&table->lines, false) || !read_row(table, batch, row, table->lines.line))
             return false;

@@ -19,24 +19,24 @@ static bool tab_begins(const char *text, size_t number) {
 struct advice {
     const char *problem, *context; /* parts of libyaml's words; NULL: any */
     bool earlier;                  /* the mistake is where the context begins */
-    bool tells_begin;              /* the advice ends with the line where the context begins */
+    const char *begin;             /* goes before the line where the context begins; NULL: not told */
     const char *text;
 };
 
 static const struct advice table[] = {
-    {"could not find expected ':'", "simple key", true, false,
+    {"could not find expected ':'", "simple key", true, NULL,
      "a colon and a space must follow the key: 'key: value'"},
-    {"unexpected end of stream", "quoted scalar", true, false,
+    {"unexpected end of stream", "quoted scalar", true, NULL,
      "the quotation mark of this line is not closed"},
-    {"mapping values are not allowed", NULL, false, false,
+    {"mapping values are not allowed", NULL, false, NULL,
      "is this line indented like the other lines of its section, and has the line before a colon? (a text "
      "with ': ' in it needs quotation marks)"},
-    {"did not find expected key", "block mapping", false, true,
-     "is this line indented like the other lines of its section, which begins in line"},
-    {"did not find expected '-'", "block collection", false, true,
-     "is this line indented like the other entries of its list, which begins in line"},
-    {"did not find expected ',' or '}'", NULL, false, true, "a ',' or '}' is missing; the '{' is in line"},
-    {"did not find expected ',' or ']'", NULL, false, true, "a ',' or ']' is missing; the '[' is in line"},
+    {"did not find expected key", "block mapping", false, ", which begins in line",
+     "is this line indented like the other lines of its section"},
+    {"did not find expected '-'", "block collection", false, ", which begins in line",
+     "is this line indented like the other entries of its list"},
+    {"did not find expected ',' or '}'", NULL, false, "; the '{' is in line", "a ',' or '}' is missing"},
+    {"did not find expected ',' or ']'", NULL, false, "; the '[' is in line", "a ',' or ']' is missing"},
 };
 
 size_t tree_advice(const yaml_parser_t *parser, const char *text, long first, char *what, size_t room) {
@@ -57,8 +57,8 @@ size_t tree_advice(const yaml_parser_t *parser, const char *text, long first, ch
         if (!strstr(problem, advice->problem) || (advice->context && !strstr(context, advice->context)))
             continue;
         used = snprintf(what, room, "; %s", advice->text);
-        if (advice->tells_begin && first > 0 && used > 0 && (size_t)used < room)
-            snprintf(what + used, room - (size_t)used, " %ld", (long)begin + first);
+        if (advice->begin && first > 0 && used > 0 && (size_t)used < room)
+            snprintf(what + used, room - (size_t)used, "%s %ld", advice->begin, (long)begin + first);
         return advice->earlier ? begin : line;
     }
     return line;

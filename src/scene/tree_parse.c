@@ -9,7 +9,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { DEPTH_MAX = 64, COPIES_MAX = 100000, ANCHOR_MAX = 64 };
+enum { DEPTH_MAX = 64, NODES_MAX = 200000, COPIES_MAX = 100000, ANCHOR_MAX = 64 };
 
 /* A node with a name, for the aliases that follow. */
 struct anchor {
@@ -22,7 +22,7 @@ struct parse {
     const char *file, *text;
     long line; /* added to libyaml's line numbers; 0: command line, all lines are 0 */
     struct anchor *anchor;
-    size_t anchors, copies; /* nodes that aliases have made so far */
+    size_t anchors, nodes, copies; /* nodes that text and aliases have made so far */
     struct error *error;
 };
 
@@ -254,7 +254,14 @@ static void anchor_add(struct parse *parse, const char *name, const struct tree_
 static struct tree_node *parse_content(struct parse *parse, yaml_event_t *event, int depth) {
     struct tree_node *node = NULL;
     bool good = false;
-    if (event->type == YAML_SCALAR_EVENT) {
+    if (parse->nodes++ == NODES_MAX) {
+        char what[160];
+        snprintf(what, sizeof(what),
+                 "more than %d keys and values up to here; tables of particles and the like belong into "
+                 "files of their own",
+                 NODES_MAX);
+        fail(parse, event->start_mark.line, what);
+    } else if (event->type == YAML_SCALAR_EVENT) {
         node = parse_scalar(parse, event);
         good = true;
     } else if (event->type == YAML_SEQUENCE_START_EVENT) {

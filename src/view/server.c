@@ -21,9 +21,10 @@
 enum {
     TOKEN_BYTES = 16,
     TOKEN_LENGTH = 2 * TOKEN_BYTES,
-    CONNECTIONS_MAX = 32,
+    CONNECTIONS_MAX = 256,
     MEMORY_MAX = 16384,
     IDLE_SECONDS = 30,
+    ASKING_SECONDS = 2, /* of a connection that has shown no token yet */
     TABLE_MAX = 262144
 };
 
@@ -201,6 +202,7 @@ static enum MHD_Result answer(void *context, struct MHD_Connection *connection, 
     if (name == NULL ||
         !host_suits(MHD_lookup_connection_value(connection, MHD_HEADER_KIND, MHD_HTTP_HEADER_HOST)))
         return send_status(connection, MHD_HTTP_FORBIDDEN);
+    MHD_set_connection_option(connection, MHD_CONNECTION_OPTION_TIMEOUT, (unsigned)IDLE_SECONDS);
     if (strcmp(method, "GET") == 0)
         return answer_get(connection, server, name);
     if (strcmp(method, "POST") == 0)
@@ -232,7 +234,7 @@ bool server_start(struct server **out, struct board *board, const struct server_
         MHD_start_daemon(MHD_USE_INTERNAL_POLLING_THREAD, (uint16_t)options->port, NULL, NULL, answer, server,
                          MHD_OPTION_SOCK_ADDR, &place, MHD_OPTION_CONNECTION_LIMIT, (unsigned)CONNECTIONS_MAX,
                          MHD_OPTION_CONNECTION_MEMORY_LIMIT, (size_t)MEMORY_MAX,
-                         MHD_OPTION_CONNECTION_TIMEOUT, (unsigned)IDLE_SECONDS, MHD_OPTION_END);
+                         MHD_OPTION_CONNECTION_TIMEOUT, (unsigned)ASKING_SECONDS, MHD_OPTION_END);
     if (server->daemon == NULL)
         return error_set(error, ERROR_USER, "command line: --view: port %d of 127.0.0.1 cannot be used: %s",
                          options->port, errno ? strerror(errno) : "no reason is known");

@@ -3,8 +3,9 @@ noinst_LTLIBRARIES += libwalls.la
 libwalls_la_SOURCES = \
 	src/walls/mesh.c \
 	src/walls/mesh.h \
-	src/walls/mesh_import.c \
 	src/walls/mesh_obj.c \
+	src/walls/mesh_ply.c \
+	src/walls/mesh_polygon.c \
 	src/walls/mesh_shape.c \
 	src/walls/mesh_shape.h \
 	src/walls/mesh_stl.c \
@@ -20,7 +21,6 @@ libwalls_la_SOURCES = \
 	src/walls/wall_motion.c \
 	src/walls/wall_motion.h \
 	src/walls/wall_patch.c \
-	src/walls/wall_rows.c \
 	src/walls/wall_surface.c \
 	src/walls/wall_touch.c \
 	src/walls/wall_touch.h \
@@ -39,4 +39,3 @@ libwalls_la_SOURCES = \
 	src/walls/walls_visit.c \
 	src/walls/walls_touch.c \
 	src/walls/walls_touch.h
-libwalls_la_CPPFLAGS = $(AM_CPPFLAGS) $(ASSIMP_CFLAGS)

@@ -33,16 +33,17 @@ static bool mesh_parse(struct mesh *mesh, char *text, size_t size, const char *p
                        struct error *error) {
     bool any = strcmp(format, "") == 0 || strcmp(format, "auto") == 0;
     bool stl = strcmp(format, "stl") == 0;
-    bool import = strcmp(format, "obj") == 0 || strcmp(format, "ply") == 0;
-    if (!any && !stl && !import && strcmp(format, "table") != 0)
+    bool obj = strcmp(format, "obj") == 0, ply = strcmp(format, "ply") == 0;
+    if (!any && !stl && !obj && !ply && strcmp(format, "table") != 0)
         return error_set(error, ERROR_USER, "%s: unknown mesh format '%s'; known: auto, stl, obj, ply, table",
                          path, format);
     const char *foreign = mesh_foreign(text, size);
     if (foreign)
         return error_set(error, ERROR_USER, "%s: %s", path, foreign);
-    const char *found = import ? format : any ? mesh_import_format(text, path) : NULL;
-    if (found)
-        return mesh_import(mesh, text, size, found, path, error);
+    if (ply || (any && mesh_is_ply(text)))
+        return mesh_ply(mesh, text, size, path, error);
+    if (obj || (any && mesh_is_obj(text, path)))
+        return mesh_obj(mesh, text, path, error);
     if ((any || stl) && mesh_stl_is_binary(text, size))
         return mesh_stl_binary(mesh, text, size, path, error);
     if (stl || (any && mesh_stl_is_ascii(text)))

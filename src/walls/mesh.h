@@ -10,12 +10,12 @@
 
 /* Triangles in the order of the file. */
 struct mesh {
-    size_t count;
+    size_t count, room;  /* triangles; those that the arrays have room for (mesh_add) */
     double (*corner)[9]; /* x y z of the three corners, in the units of the file; finite */
     uint32_t *line; /* line of each triangle in the file, from 1 (ASCII STL: of its `facet`); NULL: binary */
 };
 
-/* Reads a mesh. `format` is "stl", "obj", "ply" (mesh_import), "table", or "" or "auto" to decide by the content. Normals in an STL file
+/* Reads a mesh. `format` is "stl", "obj", "ply", "table", or "" or "auto" to decide by the content. Normals in an STL file
  * are ignored. Fails (user, with file and line or triangle number) on an unknown format, a file that cannot
  * be read, is truncated or longer than it says, breaks the grammar, has numbers that are not finite, or no
  * triangle. mesh_free releases. One thread. */
@@ -31,20 +31,28 @@ bool mesh_stl_binary(struct mesh *mesh, const char *content, size_t size, const 
                      struct error *error);
 bool mesh_stl_ascii(struct mesh *mesh, char *text, const char *path, struct error *error);
 
-/* OBJ and PLY files, read by assimp, a library that is loaded when a scene first has such a file.
+/* Read the content of an OBJ or a PLY file, which is changed; polygons become triangles. `path` is for messages. Used by
+ * mesh_read.
  *
- * "obj" or "ply" if the content, or the end of the path, is that of such a file; else NULL. */
-const char *mesh_import_format(const char *content, const char *path);
+ * OBJ: lines `v` and `f` count, all others are left out. PLY: ASCII, or binary of either byte order; of the elements only
+ * `vertex` (x, y, z) and, after it, `face` (vertex_indices or vertex_index) count. Fail (user, with the line, or in a binary
+ * file the number of the vertex or face) if a vertex has no three finite numbers, a face has fewer corners than 3 or more
+ * than MESH_CORNERS_MAX or a corner that is no vertex, or the file is not as long as its header says. */
+enum { MESH_CORNERS_MAX = 1024 };
+bool mesh_obj(struct mesh *mesh, char *text, const char *path, struct error *error);
+bool mesh_ply(struct mesh *mesh, char *content, size_t size, const char *path, struct error *error);
 
-/* The vertices and faces of an OBJ file (the text is changed) as a text of `v` and `f` lines without all else; *size is
- * its length. NULL with an error (user, with the line) if a vertex has no three finite numbers, or a face no three
- * corners or a corner that is no vertex of a line before, or if there is no face. The caller calls free. One thread. */
-char *mesh_obj_plain(char *text, const char *path, size_t *size, struct error *error);
+/* True if the content is a PLY file; true if the content, or the end of the path, is that of an OBJ file. */
+bool mesh_is_ply(const char *content);
+bool mesh_is_obj(const char *content, const char *path);
 
-/* Reads the content of a file of this format (the text is changed); polygons become triangles, and the parts of a file become one mesh.
- * assimp reads numbers as floats (seven digits). Fails (user) if the program was built without assimp, if assimp is
- * not there, or if assimp refuses the file, with assimp's own words. mesh_free releases. One thread. */
-bool mesh_import(struct mesh *mesh, char *content, size_t size, const char *format, const char *path,
-                 struct error *error);
+/* Adds a triangle of this line (0: the file has no lines; in all calls for a mesh, or in none). Returns its nine numbers, to
+ * be set. Valid up to the next call. */
+double *mesh_add(struct mesh *mesh, size_t line);
+
+/* Adds the triangles of a polygon of 3 to MESH_CORNERS_MAX corners; corner k is at point[corner[k]]. A polygon of n corners
+ * becomes n - 2 triangles that turn like it. */
+void mesh_add_polygon(struct mesh *mesh, const double (*point)[3], const uint32_t *corner, int corners,
+                      size_t line);
 
 #endif

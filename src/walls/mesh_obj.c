@@ -1,64 +1,73 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
-/* The corners and faces of an OBJ file, without all else. Read mesh.h first.
- *
- * assimp looks at materials, textures and groups, too, and may crash where a face names a vertex that is not there. So
- * assimp gets a text of lines `v x y z` and `f a b c ...` alone, whose numbers have been looked at. */
+/* The vertices and faces of an OBJ file. Read mesh.h first. */
 #include "walls/mesh.h"
 #include "files/numbers.h"
+#include "core/memory.h"
 #include <math.h>
-#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <strings.h>
 
 /* The reader between two lines. */
 struct obj_text {
+    struct mesh *mesh;
     const char *path;
-    size_t number;        /* of the line, from 1 */
-    long vertices, faces; /* so far */
-    FILE *out;
+    size_t number; /* of the line, from 1 */
+    double (*point)[3];
+    long points, room; /* so far; in the array */
 };
+
+bool mesh_is_obj(const char *content, const char *path) {
+    size_t length = strlen(path);
+    while (*content == '#' || *content == '\n' || *content == '\r') /* comments and empty lines */
+        content += *content == '#' ? strcspn(content, "\n") : 1;
+    return strncmp(content, "v ", 2) == 0 || strncmp(content, "o ", 2) == 0 ||
+           strncmp(content, "g ", 2) == 0 || strncmp(content, "mtllib ", 7) == 0 ||
+           (length > 4 && strcasecmp(path + length - 4, ".obj") == 0);
+}
 
 /* A line `v x y z`; more numbers (a weight, a colour) are left out. */
 static bool obj_vertex(struct obj_text *t, char *at, struct error *error) {
-    double x[3];
+    if (t->points == t->room) {
+        t->room = t->room ? 2 * t->room : 64;
+        t->point = memory_resize(t->point, (size_t)t->room, sizeof *t->point, "vertices of a mesh");
+    }
+    double *x = t->point[t->points++];
     for (int d = 0; d < 3; d++)
         if (!numbers_word(&at, &x[d]) || !isfinite(x[d]))
             return error_set(error, ERROR_USER, "%s:%zu: an OBJ vertex needs three finite numbers", t->path,
                              t->number);
-    fprintf(t->out, "v %.17g %.17g %.17g\n", x[0], x[1], x[2]);
-    t->vertices++;
     return true;
 }
 
 /* A line `f a b c ...`; a corner is the number of a vertex, from 1 or, negative, back from the last one, and may go on
  * with a texture and a normal: 3/2/1. */
 static bool obj_face(struct obj_text *t, char *at, struct error *error) {
+    uint32_t corner[MESH_CORNERS_MAX];
     int corners = 0;
-    fprintf(t->out, "f");
-    while (*(at += strspn(at, " \t")) != '\0') {
+    for (; *(at += strspn(at, " \t")) != '\0'; at += strcspn(at, " \t"), corners++) {
         char *end;
-        long corner = strtol(at, &end, 10);
-        corner += corner < 0 ? t->vertices + 1 : 0;
-        if (end == at || strchr(" \t/", *end) == NULL || corner < 1 || corner > t->vertices)
+        long number = strtol(at, &end, 10);
+        number += number < 0 ? t->points + 1 : 0;
+        if (end == at || strchr(" \t/", *end) == NULL || number < 1 || number > t->points)
             return error_set(
                 error, ERROR_USER,
                 "%s:%zu: '%.*s' is no vertex of this OBJ face; allowed: 1 to %ld, the vertices so far",
-                t->path, t->number, (int)strcspn(at, " \t"), at, t->vertices);
-        fprintf(t->out, " %ld", corner);
-        at += strcspn(at, " \t");
-        corners++;
+                t->path, t->number, (int)strcspn(at, " \t"), at, t->points);
+        if (corners < MESH_CORNERS_MAX)
+            corner[corners] = (uint32_t)(number - 1);
     }
-    fprintf(t->out, "\n");
-    t->faces++;
-    return corners >= 3 ||
-           error_set(error, ERROR_USER, "%s:%zu: an OBJ face of %d corners, not of three or more", t->path,
-                     t->number, corners);
+    if (corners < 3 || corners > MESH_CORNERS_MAX)
+        return error_set(error, ERROR_USER, "%s:%zu: an OBJ face of %d corners; allowed: 3 to %d", t->path,
+                         t->number, corners, MESH_CORNERS_MAX);
+    mesh_add_polygon(t->mesh, t->point, corner, corners, t->number);
+    return true;
 }
 
-char *mesh_obj_plain(char *text, const char *path, size_t *size, struct error *error) {
-    char *plain = NULL, *line;
-    struct obj_text t = {.path = path, .out = open_memstream(&plain, size)};
-    bool good = t.out != NULL || error_set(error, ERROR_SYSTEM, "%s: no memory for its text", path);
+bool mesh_obj(struct mesh *mesh, char *text, const char *path, struct error *error) {
+    char *line;
+    struct obj_text t = {.mesh = mesh, .path = path};
+    bool good = true;
     while (good && (line = numbers_line(&text)) != NULL) {
         t.number++;
         line += strspn(line, " \t");
@@ -67,11 +76,6 @@ char *mesh_obj_plain(char *text, const char *path, size_t *size, struct error *e
             continue;
         good = vertex ? obj_vertex(&t, line + 2, error) : obj_face(&t, line + 2, error);
     }
-    good = good && (t.faces > 0 || error_set(error, ERROR_USER, "%s: no face in the OBJ file", path));
-    if (t.out != NULL)
-        fclose(t.out);
-    if (good)
-        return plain;
-    free(plain);
-    return NULL;
+    memory_free(t.point);
+    return good && (mesh->count > 0 || error_set(error, ERROR_USER, "%s: no face in the OBJ file", path));
 }

@@ -129,7 +129,6 @@ static bool stl_facet(struct stl_text *t, double corner[9], struct error *error)
 
 bool mesh_stl_ascii(struct mesh *mesh, char *text, const char *path, struct error *error) {
     struct stl_text t = {.text = text, .path = path};
-    size_t capacity = 0;
     bool inside = false;
     while (stl_next(&t)) {
         if (stl_take(&t, inside ? "endsolid" : "solid")) {
@@ -140,15 +139,8 @@ bool mesh_stl_ascii(struct mesh *mesh, char *text, const char *path, struct erro
             return error_set(error, ERROR_USER, "%s:%zu: '%.*s' where %s should be", path, t.number,
                              (int)strcspn(t.line, " \t\r"), t.line,
                              inside ? "'facet' or 'endsolid'" : "'solid'");
-        if (mesh->count == capacity) {
-            capacity = capacity ? 2 * capacity : 64;
-            mesh->corner = memory_resize(mesh->corner, capacity, sizeof *mesh->corner, "triangles");
-            mesh->line = memory_resize(mesh->line, capacity, sizeof *mesh->line, "triangles");
-        }
-        mesh->line[mesh->count] = (uint32_t)t.number;
-        if (!stl_facet(&t, mesh->corner[mesh->count], error))
+        if (!stl_facet(&t, mesh_add(mesh, t.number), error))
             return false;
-        mesh->count++;
     }
     return !inside || error_set(error, ERROR_USER, "%s:%zu: truncated: the file ends without 'endsolid'",
                                 path, t.number);

@@ -28,10 +28,12 @@
 
 #include "contact/force.h"
 #include "contact/law.h"
+#include "pairs/rowset.h"
 #include "particles/particles.h"
 #include <stdio.h>
 
-enum { WALLS_MAX = 64, WALL_NAME_MAX = 64, WALL_PATH_MAX = 1024, WALL_MOTIONS_MAX = 8 };
+/* Walls at most: a piece of a wall keeps the number of its wall in a byte. */
+enum { WALLS_MAX = 255, WALL_NAME_MAX = 64, WALL_PATH_MAX = 1024, WALL_MOTIONS_MAX = 8 };
 
 enum wall_shape {
     WALL_PLANE,
@@ -62,9 +64,12 @@ enum wall_motion_kind {
 /* One motion. Outside of start ... stop it rests where it was last: displacement and angle are functions of
  * the time, cut to that span. Several motions of a wall are applied one after another, the first one first:
  * rotate, then translate turns the wall about an axis that travels; translate, then rotate about a fixed one.
- */
+ *
+ * A motion of the surface gives the surface a velocity beside that of the wall. A contact takes the part of it that is
+ * at right angles to the contact's normal. Motions of the wall behind it turn and carry it, as those before it do not. */
 struct wall_motion {
     enum wall_motion_kind kind;
+    bool surface; /* the surface alone moves, within itself, as a belt does: the wall stays. Not a servo */
     double start, stop;      /* active while start <= t < stop; time */
     double direction[3];     /* axis or direction, any length but 0 */
     double point[3];         /* a point of the axis (TABLE: of all axes), user's coordinates */
@@ -185,7 +190,7 @@ bool walls_overlap(const struct walls *walls, const double x[3], double radius);
 
 /* The point of a wall nearest to a place, as the wall stands now, for physics to which walls are solids: the
  * distance, negative in the solid; the unit normal of the wall there, out of the solid; the velocity of the
- * wall there, in the last half step. Solid is
+ * wall's surface there, and its spin (rad/time), in the last half step. Solid is
  *
  *   plane      all that lies beyond it
  *   cylinder   particles outside: the cylinder, its ends included. Particles inside: all around the bore, of
@@ -193,7 +198,7 @@ bool walls_overlap(const struct walls *walls, const double x[3], double radius);
  *   mesh       the side away from which the normals of its triangles point (right-hand rule). The surface must
  *              be closed (walls_open_edges) */
 struct wall_foot {
-    double distance, normal[3], velocity[3];
+    double distance, normal[3], velocity[3], spin[3];
 };
 
 /* The foot of x (box-relative) on a wall. On a mesh the distance is INFINITY if the surface is farther than
@@ -233,8 +238,12 @@ void walls_close(struct walls *walls, double dt, bool mine);
 void walls_forces(const struct walls *walls, double (*force_torque)[6]);
 void walls_set_forces(struct walls *walls, double (*force_torque)[6]); /* sets this rank's part */
 
+/* The power of the moving surface of a wall on particles in the last evaluation, this rank's part; NULL if the surface
+ * has no motion of its own. May be set. Any thread. */
+double *walls_surface_power(struct walls *walls, int wall);
+
 /* Work that walls did on particles since the start, this rank's part; energy. Mean of the forces at both ends
- * of a step times the motion in it. */
+ * of a step times the motion in it; of a surface, mean of its powers at both ends. */
 double walls_work(const struct walls *walls);
 void walls_set_work(struct walls *walls, double work); /* for a resume */
 
@@ -245,11 +254,12 @@ void walls_visit_fixed(struct walls *walls);
 struct wall_place {
     size_t particle;
     int wall;
-    int32_t feature;    /* of the wall, see above */
-    double gap;         /* between the surfaces; overlaps are negative */
-    double normal[3];   /* unit vector from the centre of the particle to the wall */
-    double velocity[3]; /* of the wall there, in the last half step */
-    double at[3];       /* the point of the wall, box-relative, in the wall's own image */
+    int32_t feature;      /* of the wall, see above */
+    double gap;           /* between the surfaces; overlaps are negative */
+    double normal[3];     /* unit vector from the centre of the particle to the wall */
+    double velocity[3];   /* of the wall there, in the last half step, with that of a surface that moves */
+    double at[3];         /* the point of the wall, box-relative, in the wall's own image */
+    const double *record; /* of the contact, in the history of the law; NULL: none */
 };
 
 /* Calls `visitor` for each owned particle and each place of a wall whose surface is nearer than `range` to that
@@ -260,9 +270,9 @@ typedef void walls_visitor(void *context, const struct wall_place *place);
 void walls_visit(const struct walls *walls, const struct particles *particles, int thread, double range,
                  walls_visitor *visitor, void *context);
 
-/* Adds a force at such a place to the forces on a wall of the evaluation that walls_finish ends, where these
+/* Adds a force on the wall at such a place to the loads of the evaluation that walls_finish ends, where these
  * are not summed exactly. Many threads at once, with different `thread`. */
-void walls_push(struct walls *walls, int thread, int wall, const double at[3], const double force[3]);
+void walls_push(struct walls *walls, int thread, const struct wall_place *place, const double force[3]);
 
 /* What one contact does to a wall. */
 struct wall_load {
@@ -292,20 +302,12 @@ static inline size_t wall_row_bytes(int components) {
     int sent = components > HISTORY_COMPONENTS_USUAL ? components : HISTORY_COMPONENTS_USUAL;
     return offsetof(struct wall_row, value) + (size_t)sent * sizeof(double);
 }
-struct wall_rows {
-    size_t *start;
-    struct wall_row *row;
-    size_t count;
-};
-/* Before and after a rebuild. detach allocates `rows` (also if there is no history: then no row) and forgets
+/* Before and after a rebuild; the rows are struct wall_row. detach allocates `rows` (also if there is no history: then no row) and forgets
  * the images of contacts, as the rows have no images: so a run that goes on without a rebuild and a run that
  * goes on from the rows are the same. attach gives the rows to the new candidates. attach drops rows of walls
  * or features that no longer exist, and of walls that the particle is no longer near. */
-void walls_detach(struct walls *walls, const struct particles *particles, struct wall_rows *rows);
-void walls_attach(struct walls *walls, const struct wall_rows *rows, const struct particles *particles);
-void wall_rows_reorder(struct wall_rows *rows, const uint32_t *order, size_t owned);
-void wall_rows_remove(struct wall_rows *rows, const uint8_t *remove, size_t owned);
-void wall_rows_free(struct wall_rows *rows);
+void walls_detach(struct walls *walls, const struct particles *particles, struct rowset *rows);
+void walls_attach(struct walls *walls, const struct rowset *rows, const struct particles *particles);
 
 /* Poses, for checkpoints and output. The wall's motions go on from a pose that was set: if these motions led
  * to the pose, as without a break (bitwise), else from the pose. */

@@ -74,30 +74,12 @@ static double motion_time(const struct wall_motion *motion, double t) {
     return t > motion->start ? t : motion->start;
 }
 
-/* The last row of a table whose time is not after t; the last but one at most, 0 at least. */
-static size_t table_row(const struct numbers *table, double t) {
-    size_t low = 0, high = table->rows - 1;
-    while (high - low > 1) {
-        size_t middle = (low + high) / 2;
-        if (table->value[middle * TABLE_COLUMNS] <= t)
-            low = middle;
-        else
-            high = middle;
-    }
-    return low;
-}
-
-/* Displacement and rotation vector at time t: linear between rows, constant before the first and after the
- * last. */
+/* Displacement and rotation vector at time t. */
 static void table_value(const struct numbers *table, double t, struct law_vector value[2]) {
-    const double *a = table->value + table_row(table, t) * TABLE_COLUMNS;
-    const double *b = table->rows > 1 ? a + TABLE_COLUMNS : a;
-    double part = b > a ? (t - a[0]) / (b[0] - a[0]) : 0.0;
-    part = part < 0.0 ? 0.0 : part > 1.0 ? 1.0 : part;
-    for (int k = 0; k < 2; k++) {
-        struct law_vector from = wall_vector(a + 1 + 3 * k), to = wall_vector(b + 1 + 3 * k);
-        value[k] = law_add(law_scale(1.0 - part, from), part, to);
-    }
+    double number[TABLE_COLUMNS - 1];
+    numbers_at(table, t, number);
+    value[0] = wall_vector(number);
+    value[1] = wall_vector(number + 3);
 }
 
 /* The part of a step from t on that lies within the span of a motion, as time; no digits are lost where it is
@@ -114,7 +96,7 @@ static void table_rate(const struct numbers *table, double t, double duration, d
                        struct law_vector rate[2]) {
     double end = t + duration;
     rate[0] = rate[1] = (struct law_vector){0.0, 0.0, 0.0};
-    for (size_t row = table_row(table, t); row + 1 < table->rows; row++) {
+    for (size_t row = numbers_row(table, t); row + 1 < table->rows; row++) {
         const double *a = table->value + row * TABLE_COLUMNS, *b = a + TABLE_COLUMNS;
         if (a[0] >= end)
             break;
@@ -154,6 +136,8 @@ static double wave_rate(const struct wall_motion *motion, double t, double durat
 static struct wall_transform motion_place(const struct wall_mover *mover, int k, double t, double servo) {
     const struct wall_motion *motion = &mover->motion[k];
     struct law_vector axis = wall_vector(motion->direction), point = wall_vector(motion->point), value[2];
+    if (motion->surface)
+        return wall_transform_identity();
     t = motion_time(motion, t);
     switch (motion->kind) {
     case WALL_TRANSLATE:
@@ -216,19 +200,39 @@ struct wall_transform wall_mover_place(const struct wall_mover *mover, double t,
     return all;
 }
 
-struct wall_twist wall_mover_twist(const struct wall_mover *mover, double t, double dt, double servo_offset,
-                                   double servo_speed) {
+/* The twist of the motions of the wall, or of those of its surface. */
+static struct wall_twist mover_twist(const struct wall_mover *mover, bool surface, double t, double dt,
+                                     double servo_offset, double servo_speed) {
     struct wall_twist all = {0};
     for (int k = 0; k < mover->motions; k++) {
         struct wall_transform half = motion_place(mover, k, t + 0.5 * dt, servo_offset);
-        struct wall_twist one = motion_twist(mover, k, t, dt, servo_speed);
         struct law_vector omega = wall_turn(half.rotation, all.omega);
         struct law_vector velocity = law_add(wall_turn(half.rotation, all.velocity), 1.0,
                                              law_cross(wall_vector(half.translation), omega));
+        struct wall_twist one = {0};
+        if (mover->motion[k].surface == surface)
+            one = motion_twist(mover, k, t, dt, servo_speed);
         all.omega = law_add(omega, 1.0, one.omega);
         all.velocity = law_add(velocity, 1.0, one.velocity);
     }
     return all;
+}
+
+struct wall_twist wall_mover_twist(const struct wall_mover *mover, double t, double dt, double servo_offset,
+                                   double servo_speed) {
+    return mover_twist(mover, false, t, dt, servo_offset, servo_speed);
+}
+
+struct wall_twist wall_mover_surface(const struct wall_mover *mover, double t, double dt,
+                                     double servo_offset) {
+    return mover_twist(mover, true, t, dt, servo_offset, 0.0);
+}
+
+bool wall_mover_slides(const struct wall_mover *mover) {
+    for (int k = 0; k < mover->motions; k++)
+        if (mover->motion[k].surface)
+            return true;
+    return false;
 }
 
 static int mover_servo(const struct wall_mover *mover) {
@@ -298,17 +302,6 @@ bool wall_mover_pivot(const struct wall_mover *mover, struct law_vector *point) 
     return false;
 }
 
-static bool table_check(struct numbers *table, const char *path, struct error *error) {
-    if (table->rows == 0)
-        return error_set(error, ERROR_USER, "%s: no row of t x y z a b c", path);
-    for (size_t row = 1; row < table->rows; row++)
-        if (!(table->value[row * TABLE_COLUMNS] > table->value[(row - 1) * TABLE_COLUMNS]))
-            return error_set(error, ERROR_USER, "%s:%u: time %g does not increase (%g before)", path,
-                             table->line[row], table->value[row * TABLE_COLUMNS],
-                             table->value[(row - 1) * TABLE_COLUMNS]);
-    return true;
-}
-
 /* Brings one motion into the form that the functions above expect. */
 static bool motion_prepare(struct wall_mover *mover, int k, const char *name, const double origin[3],
                            struct error *error) {
@@ -330,7 +323,7 @@ static bool motion_prepare(struct wall_mover *mover, int k, const char *name, co
         motion->direction[d] /= length;
     if (motion->kind == WALL_TABLE)
         return numbers_read(&mover->table[k], motion->table, TABLE_COLUMNS, error) &&
-               table_check(&mover->table[k], motion->table, error);
+               numbers_check_times(&mover->table[k], motion->table, "t x y z a b c", error);
     if (motion->kind != WALL_SERVO)
         return true;
     if (mover_servo(mover) != k)

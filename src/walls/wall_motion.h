@@ -77,6 +77,13 @@ struct wall_transform wall_mover_place(const struct wall_mover *mover, double t,
 struct wall_twist wall_mover_twist(const struct wall_mover *mover, double t, double dt, double servo_offset,
                                    double servo_speed);
 
+/* The same of the surface alone, to be added; 0 without a motion of the surface. */
+struct wall_twist wall_mover_surface(const struct wall_mover *mover, double t, double dt,
+                                     double servo_offset);
+
+/* True if the surface has a motion of its own. */
+bool wall_mover_slides(const struct wall_mover *mover);
+
 bool wall_mover_has_servo(const struct wall_mover *mover);
 /* Speed along the servo's direction, which the motions behind it turn, for the step that starts at t, from
  * what the particles do to the wall; 0 without a servo or outside of its span. Without a gain of the user's the

@@ -112,6 +112,7 @@ static bool walls_start_motions(struct walls *walls, int w, struct error *error)
     if (!wall_mover_pivot(wall->mover, &wall->centre))
         wall->centre = wall->mesh ? wall->mesh->centre : wall->point;
     wall->moving = wall->options.motions > 0;
+    wall->slides = wall_mover_slides(wall->mover);
     wall->unit = wall_mover_servo_unit(wall->mover);
     wall_place(wall, 0.0);
     return true;
@@ -123,8 +124,8 @@ static void scratch_create(struct walls *walls) {
         walls->scratch[t] = memory_allocate_zero(1, sizeof *walls->scratch[t], "walls");
         walls->scratch[t]->batch =
             memory_allocate_zero(1, sizeof *walls->scratch[t]->batch, "contacts with walls");
-        walls->scratch[t]->force =
-            memory_allocate_zero((size_t)walls->count, sizeof *walls->force, "forces on walls");
+        walls->scratch[t]->load =
+            memory_allocate_zero((size_t)walls->count, sizeof *walls->scratch[t]->load, "forces on walls");
         walls->scratch[t]->impedance =
             memory_allocate_zero((size_t)walls->count, sizeof *walls->impedance, "forces on walls");
     }
@@ -143,6 +144,7 @@ bool walls_create(struct walls **walls, const struct wall_options *options, int 
     box_image_shifts(box, w->shift);
     w->wall = memory_allocate_zero((size_t)count, sizeof *w->wall, "walls");
     w->force = memory_allocate_zero((size_t)count, sizeof *w->force, "forces on walls");
+    w->power = memory_allocate_zero((size_t)count, sizeof *w->power, "forces on walls");
     w->impedance = memory_allocate_zero((size_t)count, sizeof *w->impedance, "forces on walls");
     w->first = memory_allocate_zero(1, sizeof *w->first, "walls");
     scratch_create(w);
@@ -183,6 +185,7 @@ void walls_destroy(struct walls **walls) {
     memory_free(w->scratch);
     memory_free(w->wall);
     memory_free(w->force);
+    memory_free(w->power);
     memory_free(w->impedance);
     memory_free(w->exact);
     memory_free(w->particle);
@@ -241,6 +244,7 @@ void walls_advance(struct walls *walls, double t, double dt, const struct wall_p
         wall->servo_speed = push ? wall_mover_servo_follow(wall->mover, t, &push[w], wall->servo_speed) : 0.0;
         double half = wall->servo_offset + 0.5 * dt * wall->servo_speed;
         wall->twist = wall_mover_twist(wall->mover, t, dt, half, wall->servo_speed);
+        wall->surface = wall_mover_surface(wall->mover, t, dt, half);
         wall->servo_offset += dt * wall->servo_speed;
         wall_place(wall, t + dt);
     }
@@ -250,8 +254,10 @@ void walls_at_end(struct walls *walls, double t, double dt) {
     double moment = 1e-4 * dt;
     for (int w = 0; w < walls->count; w++) {
         struct wall *wall = &walls->wall[w];
-        if (wall->options.motions > 0)
-            wall->twist =
-                wall_mover_twist(wall->mover, t - moment, moment, wall->servo_offset, wall->servo_speed);
+        if (wall->options.motions == 0)
+            continue;
+        wall->twist =
+            wall_mover_twist(wall->mover, t - moment, moment, wall->servo_offset, wall->servo_speed);
+        wall->surface = wall_mover_surface(wall->mover, t - moment, moment, wall->servo_offset);
     }
 }

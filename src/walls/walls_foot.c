@@ -134,6 +134,11 @@ void walls_foot(const struct walls *walls, int wall, const double x[3], double r
             continue;
         foot->distance = surface.distance;
         put(foot->normal, surface.normal);
-        put(foot->velocity, wall_twist_at(&w->twist, law_add(here, -surface.distance, surface.normal)));
+        struct law_vector at = law_add(here, -surface.distance, surface.normal),
+                          velocity = wall_twist_at(&w->twist, at);
+        if (w->slides)
+            velocity = law_add(velocity, 1.0, walls_slip(w, at, surface.normal));
+        put(foot->velocity, velocity);
+        put(foot->spin, w->slides ? law_add(w->twist.omega, 1.0, w->surface.omega) : w->twist.omega);
     }
 }

@@ -5,9 +5,9 @@
 #include "walls/walls_touch.h"
 #include "contact/force_general.h"
 #include "contact/law_general.h"
-#include "contact/material.h"
+#include "particles/material.h"
 #include "walls/walls_near.h"
-#include "contact/spin.h"
+#include "particles/spin.h"
 #include "core/memory.h"
 #include <string.h>
 
@@ -79,11 +79,16 @@ static void recall_parts(const struct wall_task *task, int w, const struct wall_
         put(b->walk.history + c, k, walls_carry(get(b->walk.history + c, k), before, touch->normal));
 }
 
+/* The lever of force and torque: at walls pair_style granular of LAMMPS has the radius. */
+static double lever_of(const struct wall_task *task, double radius, double overlap) {
+    if (task->context->law->options.lammps_granular)
+        return radius;
+    return law_max(law_lever(task->law, radius, overlap), 0.0);
+}
+
 /* The lever for the slip velocity: the lever of half a step ago, if springs advance in that plane. */
 static double lever_of_slip(const struct wall_task *task, int k, double lever, double radius) {
     struct force_batch *b = &task->scratch->batch->contact;
-    if (task->context->law->options.lammps_granular)
-        return radius;
     if (!task->law.synchronised)
         return lever;
     double growth = -law_dot(get(b->velocity, k), get(b->normal, k)); /* of the overlap */
@@ -103,7 +108,7 @@ static void collect(const struct wall_task *task, int w, const struct wall_touch
         .v = wall_vector(state->v),
         .radius = state->radius};
     double overlap = state->radius - touch->distance;
-    double lever = law_max(law_lever(task->law, state->radius, overlap), 0.0);
+    double lever = lever_of(task, state->radius, overlap);
     struct law_vector at = law_add(sphere.x, lever, touch->normal);
     *entry = (struct wall_entry){
         .candidate = task->candidate,
@@ -117,10 +122,15 @@ static void collect(const struct wall_task *task, int w, const struct wall_touch
     b->mass[k] = state->inverse_mass > 0.0 ? 1.0 / state->inverse_mass : 0.0;
     b->effective[k] = state->radius;
     put(b->normal, k, touch->normal);
-    put(b->velocity, k, law_add(wall_twist_at(&wall->twist, at), -1.0, sphere.v));
+    struct law_vector surface = wall_twist_at(&wall->twist, at), spin = wall->twist.omega;
+    if (wall->slides) {
+        surface = law_add(surface, 1.0, walls_slip(wall, at, touch->normal));
+        spin = law_add(spin, 1.0, wall->surface.omega);
+    }
+    put(b->velocity, k, law_add(surface, -1.0, sphere.v));
     int material = material_of(task->material, task->particle);
-    force_set_coefficients(b, k, &task->context->law->pair[material][wall->options.material]);
-    b->extra[k] = &task->context->law->extra[material][wall->options.material];
+    force_set_coefficients(b, k, law_pair_of(task->context->law, material, wall->options.material));
+    b->extra[k] = law_extra_of(task->context->law, material, wall->options.material);
     if (task->context->law->general) {
         b->walk.radius[0][k] = state->radius;
         b->walk.radius[1][k] = INFINITY;
@@ -130,7 +140,7 @@ static void collect(const struct wall_task *task, int w, const struct wall_touch
         return;
     struct law_vector omega = wall_vector(task->omega[task->particle]);
     put(b->surface, k, law_scale(lever_of_slip(task, k, lever, state->radius), omega));
-    put(b->spin, k, law_add(wall->twist.omega, -1.0, omega));
+    put(b->spin, k, law_add(spin, -1.0, omega));
     put(b->half_normal, k,
         task->law.synchronised ? walls_half_normal(wall, touch, &sphere, task->step.dt) : touch->normal);
     if (!task->context->law->general)
@@ -149,22 +159,38 @@ static void add_exactly(struct exact *out, struct law_vector v) {
     exact_add(&out[2], v.z);
 }
 
-/* Force and torque of contact k on its wall. */
+/* The power that the surface takes from the particle at contact k, which pushes the wall with this force: with the
+ * moment of rolling resistance, too. */
+static double surface_power(const struct wall_task *task, const struct wall *wall, int k,
+                            struct law_vector force) {
+    struct force_batch *b = &task->scratch->batch->contact;
+    struct law_vector at = task->scratch->batch->entry[k].at, normal = get(b->normal, k);
+    double power = law_dot(force, walls_slip(wall, at, normal));
+    if (task->law.rolling)
+        power += law_dot(get(b->walk.out + FORCE_ROLLING, k), wall->surface.omega);
+    return power;
+}
+
+/* Force and torque of contact k on its wall, and the power of its surface. */
 static void apply_to_wall(const struct wall_task *task, int k) {
     struct force_batch *b = &task->scratch->batch->contact;
     const struct wall_entry *entry = &task->scratch->batch->entry[k];
     int w = entry->key.wall;
-    struct law_vector arm = law_add(entry->at, -1.0, task->walls->wall[w].centre_now);
+    const struct wall *wall = &task->walls->wall[w];
+    struct law_vector arm = law_add(entry->at, -1.0, wall->centre_now);
     struct law_vector force = get(b->walk.out + FORCE_OUT, k), torque = law_cross(arm, force);
     if (task->law.rolling)
         torque = law_add(torque, 1.0, get(b->walk.out + FORCE_ROLLING, k));
+    double power = wall->slides ? -surface_power(task, wall, k, force) : 0.0;
     if (task->scratch->exact) {
-        add_exactly(task->scratch->exact[w], force);
-        add_exactly(task->scratch->exact[w] + 3, torque);
+        add_exactly(task->scratch->exact[w] + WALL_FORCE, force);
+        add_exactly(task->scratch->exact[w] + WALL_TORQUE, torque);
+        exact_add(&task->scratch->exact[w][WALL_POWER], power);
         return;
     }
-    add_to(task->scratch->force[w], 1.0, force);
-    add_to(task->scratch->force[w] + 3, 1.0, torque);
+    add_to(task->scratch->load[w] + WALL_FORCE, 1.0, force);
+    add_to(task->scratch->load[w] + WALL_TORQUE, 1.0, torque);
+    task->scratch->load[w][WALL_POWER] += power;
 }
 
 /* Adds the impedance of contact k to that of its wall, rounded to the wall's unit: sums are exact then. */

@@ -98,25 +98,26 @@ void walls_recall(const struct walls *walls, size_t k, int w, size_t count, stru
     }
 }
 
-void walls_detach(struct walls *walls, const struct particles *particles, struct wall_rows *rows) {
+void walls_detach(struct walls *walls, const struct particles *particles, struct rowset *rows) {
     struct wall_records *now = &walls->records[walls->now];
     size_t components = (size_t)walls->law->history_components, at = 0, k = 0;
     size_t candidates = components > 0 ? walls->candidates : 0;
-    *rows = (struct wall_rows){
-        .start = memory_allocate(particles->owned + 1, sizeof *rows->start, "wall history")};
+    *rows =
+        (struct rowset){.start = memory_allocate(particles->owned + 1, sizeof *rows->start, "wall history"),
+                        .bytes = sizeof(struct wall_row),
+                        .sent = wall_row_bytes((int)components)};
     for (size_t c = 0; c < candidates; c++)
         rows->count += (size_t)now->count[c];
-    rows->row = memory_allocate_zero(rows->count, sizeof *rows->row, "wall history");
+    struct wall_row *row = rows->row = memory_allocate_zero(rows->count, sizeof *row, "wall history");
     for (size_t i = 0; i < particles->owned; i++) {
         rows->start[i] = at;
         if (k == candidates || walls->particle[k] != i)
             continue;
         for (size_t r = walls->first[k]; r < walls->first[k] + (size_t)now->count[k]; r++) {
-            struct wall_row *row = &rows->row[at++];
             now->key[r].image = WALL_IMAGE_LOST; /* the image is lost here, as in the rows */
-            *row = (struct wall_row){
+            row[at] = (struct wall_row){
                 .id = particles->id[i], .wall = now->key[r].wall, .patch = now->key[r].feature};
-            memcpy(row->value, now->value + r * components, components * sizeof *row->value);
+            memcpy(row[at++].value, now->value + r * components, components * sizeof *row->value);
         }
         k++;
     }
@@ -172,14 +173,15 @@ static void attach_rows(struct walls *walls, size_t k, const struct wall_row *fi
     now->count[k] = (int32_t)(at - walls->first[k]);
 }
 
-void walls_attach(struct walls *walls, const struct wall_rows *rows, const struct particles *particles) {
+void walls_attach(struct walls *walls, const struct rowset *rows, const struct particles *particles) {
     (void)particles; /* without assertions */
     assert(walls->candidates == 0 || walls->particle[walls->candidates - 1] < particles->owned);
     if (walls->law->history_components == 0 || rows->count == 0)
         return;
+    const struct wall_row *row = rows->row;
     for (size_t k = 0; k < walls->candidates; k++) {
-        const struct wall_row *first = rows->row + rows->start[walls->particle[k]];
-        const struct wall_row *last = rows->row + rows->start[walls->particle[k] + 1];
+        const struct wall_row *first = row + rows->start[walls->particle[k]];
+        const struct wall_row *last = row + rows->start[walls->particle[k] + 1];
         attach_rows(walls, k, first, last, ROW_HERE);
         attach_rows(walls, k, first, last, ROW_BESIDE);
     }

@@ -3,7 +3,7 @@
  * thread its own range of particles, so that the result is the same for any number of threads. */
 #include "walls/walls_near.h"
 #include "walls/walls_touch.h"
-#include "contact/spin.h"
+#include "particles/spin.h"
 #include "core/memory.h"
 #include <stdlib.h>
 #include <string.h>

@@ -32,6 +32,8 @@ struct wall {
 
     struct wall_transform pose, base; /* now; the pose that the motions act upon */
     struct wall_twist twist;          /* of the half step */
+    struct wall_twist surface;        /* of the surface beside the wall, of the half step */
+    bool slides;                      /* the surface has a motion of its own */
     double servo_offset, servo_speed;
     double unit;  /* of its impedance; 0: nobody needs it */
     bool moving;  /* its pose is not the identity, or may change */
@@ -79,6 +81,9 @@ struct wall_batch {
     } entry[FORCE_BATCH];
 };
 
+/* What contacts do to a wall, in sums: force, torque, and the power of the surface on particles. */
+enum { WALL_FORCE, WALL_TORQUE = 3, WALL_POWER = 6, WALL_LOADS };
+
 /* Memory of a thread for one particle, its batch, and its sums. */
 struct wall_scratch {
     size_t capacity;
@@ -88,9 +93,10 @@ struct wall_scratch {
     uint8_t *taken; /* old record has found its contact */
     struct wall_batch *batch;
     struct force_sums sums;
-    double (*force)[6];       /* force and torque on each wall */
-    double *impedance;        /* of each wall */
-    struct exact (*exact)[6]; /* instead of force, where forces are summed without rounding; else NULL */
+    double (*load)[WALL_LOADS]; /* on each wall */
+    double *impedance;          /* of each wall */
+    struct exact (
+        *exact)[WALL_LOADS]; /* instead of load, where loads are summed without rounding; else NULL */
 };
 
 struct walls {
@@ -113,9 +119,11 @@ struct walls {
     struct wall_records records[2];
     struct wall_scratch **scratch; /* each thread's in pages of its own */
 
-    double (*force)[6];       /* on each wall in the last evaluation */
-    double *impedance;        /* of each wall in the last evaluation, a multiple of its unit */
-    struct exact (*exact)[6]; /* their sums, while they are open; NULL: they are rounded */
+    double (*force)[6]; /* on each wall in the last evaluation */
+    double *power;      /* of each wall's surface on particles in the last evaluation */
+    double *impedance;  /* of each wall in the last evaluation, a multiple of its unit */
+    struct exact (
+        *exact)[WALL_LOADS]; /* sums of forces and powers, while they are open; NULL: they are rounded */
     double work;
 };
 
@@ -136,6 +144,13 @@ static inline void walls_follow(struct wall *wall) {
     wall->point_now = wall_transform_point(&wall->pose, wall->point);
     wall->axis_now = wall_turn(wall->pose.rotation, wall->axis);
     wall->centre_now = wall_transform_point(&wall->pose, wall->centre);
+}
+
+/* The velocity of the surface beside that of the wall at a point with this normal: along the surface. */
+static inline struct law_vector walls_slip(const struct wall *wall, struct law_vector at,
+                                           struct law_vector normal) {
+    struct law_vector velocity = wall_twist_at(&wall->surface, at);
+    return law_add(velocity, -law_dot(velocity, normal), normal);
 }
 
 /* A position in the frame of a mesh. */

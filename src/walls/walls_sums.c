@@ -13,11 +13,14 @@ static double wall_work(const struct wall *wall, const double before[6], const d
     return -0.5 * dt * (law_dot(force, velocity) + law_dot(torque, wall->twist.omega));
 }
 
-/* Stores the force on a wall, and adds its work. */
-static void set_force(struct walls *walls, int w, const double force[6], double dt) {
+/* Stores force and power of a wall, and adds its work. */
+static void set_load(struct walls *walls, int w, const double load[WALL_LOADS], double dt) {
     if (walls->wall[w].moving)
-        walls->work += wall_work(&walls->wall[w], walls->force[w], force, dt);
-    memcpy(walls->force[w], force, sizeof walls->force[w]);
+        walls->work += wall_work(&walls->wall[w], walls->force[w], load, dt);
+    if (walls->wall[w].slides)
+        walls->work += 0.5 * dt * (walls->power[w] + load[WALL_POWER]);
+    memcpy(walls->force[w], load, sizeof walls->force[w]);
+    walls->power[w] = load[WALL_POWER];
 }
 
 static void join_threads(struct walls *walls) {
@@ -25,7 +28,7 @@ static void join_threads(struct walls *walls) {
     memset(walls->exact, 0, bytes);
     for (int t = 0; t < walls->threads; t++) {
         for (int w = 0; w < walls->count; w++)
-            for (int c = 0; c < 6; c++)
+            for (int c = 0; c < WALL_LOADS; c++)
                 exact_join(&walls->exact[w][c], &walls->scratch[t]->exact[w][c]);
         memset(walls->scratch[t]->exact, 0, bytes);
     }
@@ -40,16 +43,16 @@ void walls_set_exact(struct walls *walls) {
 }
 
 int64_t *walls_exact(struct walls *walls, int *count) {
-    *count = 6 * walls->count * (int)EXACT_WORDS;
+    *count = WALL_LOADS * walls->count * (int)EXACT_WORDS;
     return walls->exact[0][0].word;
 }
 
 void walls_close(struct walls *walls, double dt, bool mine) {
     for (int w = 0; w < walls->count; w++) {
-        double force[6] = {0};
-        for (int c = 0; mine && c < 6; c++)
-            force[c] = exact_value(&walls->exact[w][c]);
-        set_force(walls, w, force, dt);
+        double load[WALL_LOADS] = {0};
+        for (int c = 0; mine && c < WALL_LOADS; c++)
+            load[c] = exact_value(&walls->exact[w][c]);
+        set_load(walls, w, load, dt);
     }
 }
 
@@ -57,11 +60,11 @@ void walls_finish(struct walls *walls, const struct force_context *context, stru
     if (walls->exact)
         join_threads(walls);
     for (int w = 0; walls->exact == NULL && w < walls->count; w++) {
-        double force[6] = {0};
+        double load[WALL_LOADS] = {0};
         for (int t = 0; t < walls->threads; t++)
-            for (int c = 0; c < 6; c++)
-                force[c] += walls->scratch[t]->force[w][c];
-        set_force(walls, w, force, context->dt);
+            for (int c = 0; c < WALL_LOADS; c++)
+                load[c] += walls->scratch[t]->load[w][c];
+        set_load(walls, w, load, context->dt);
     }
     memset(walls->impedance, 0, (size_t)walls->count * sizeof *walls->impedance);
     for (int t = 0; t < walls->threads; t++) {
@@ -70,7 +73,7 @@ void walls_finish(struct walls *walls, const struct force_context *context, stru
         memset(walls->scratch[t]->impedance, 0, (size_t)walls->count * sizeof *walls->impedance);
         force_sums_add(sums, &walls->scratch[t]->sums);
         walls->scratch[t]->sums = (struct force_sums){0};
-        memset(walls->scratch[t]->force, 0, (size_t)walls->count * sizeof *walls->force);
+        memset(walls->scratch[t]->load, 0, (size_t)walls->count * sizeof *walls->scratch[t]->load);
     }
     walls->now = 1 - walls->now;
 }
@@ -81,6 +84,10 @@ void walls_forces(const struct walls *walls, double (*force_torque)[6]) {
 
 void walls_set_forces(struct walls *walls, double (*force_torque)[6]) {
     memcpy(walls->force, force_torque, (size_t)walls->count * sizeof *walls->force);
+}
+
+double *walls_surface_power(struct walls *walls, int wall) {
+    return walls->wall[wall].slides ? &walls->power[wall] : NULL;
 }
 
 double walls_work(const struct walls *walls) {

@@ -146,7 +146,7 @@ void walls_scratch_free(struct wall_scratch *scratch) {
     memory_free(scratch->from);
     memory_free(scratch->taken);
     memory_free(scratch->batch);
-    memory_free(scratch->force);
+    memory_free(scratch->load);
     memory_free(scratch->impedance);
     memory_free(scratch->exact);
     *scratch = (struct wall_scratch){0};

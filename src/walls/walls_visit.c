@@ -21,7 +21,10 @@ static struct wall_place place_of(const struct walls *walls, int w, const struct
     struct law_vector at = law_add(x, touch->distance, touch->normal);
     store(touch->normal, place.normal);
     store(at, place.at);
-    store(wall_twist_at(&walls->wall[w].twist, at), place.velocity);
+    struct law_vector velocity = wall_twist_at(&walls->wall[w].twist, at);
+    if (walls->wall[w].slides)
+        velocity = law_add(velocity, 1.0, walls_slip(&walls->wall[w], at, touch->normal));
+    store(velocity, place.velocity);
     return place;
 }
 
@@ -30,6 +33,8 @@ void walls_visit(const struct walls *walls, const struct particles *particles, i
     size_t first = walls->candidates * (size_t)thread / (size_t)walls->threads;
     size_t end = walls->candidates * ((size_t)thread + 1) / (size_t)walls->threads;
     struct wall_scratch *scratch = walls->scratch[thread];
+    const struct wall_records *old = &walls->records[walls->now];
+    size_t components = (size_t)walls->law->history_components;
     for (size_t k = first; k < end; k++) {
         const struct particle_state *state = &particles->state[walls->particle[k]];
         double radius = state->radius + range;
@@ -41,19 +46,25 @@ void walls_visit(const struct walls *walls, const struct particles *particles, i
                                        radius, scratch);
             if (count > 1 && walls->wall[w].image_count > 1)
                 walls_sort_images(scratch->touch, count);
+            if (components > 0 && count > 0)
+                walls_recall(walls, k, w, count, wall_vector(state->x), radius, scratch);
             for (size_t c = 0; c < count; c++) {
                 struct wall_place place = place_of(walls, w, &scratch->touch[c], state);
                 place.particle = walls->particle[k];
+                if (components > 0 && scratch->from[c] >= 0)
+                    place.record = old->value + (walls->first[k] + (size_t)scratch->from[c]) * components;
                 visitor(context, &place);
             }
         }
     }
 }
 
-void walls_push(struct walls *walls, int thread, int wall, const double at[3], const double force[3]) {
-    struct law_vector f = wall_vector(force);
-    struct law_vector torque = law_cross(law_add(wall_vector(at), -1.0, walls->wall[wall].centre_now), f);
-    const double both[6] = {f.x, f.y, f.z, torque.x, torque.y, torque.z};
-    for (int c = 0; c < 6; c++)
-        walls->scratch[thread]->force[wall][c] += both[c];
+void walls_push(struct walls *walls, int thread, const struct wall_place *place, const double force[3]) {
+    const struct wall *wall = &walls->wall[place->wall];
+    struct law_vector f = wall_vector(force), at = wall_vector(place->at);
+    struct law_vector torque = law_cross(law_add(at, -1.0, wall->centre_now), f);
+    double power = wall->slides ? -law_dot(f, walls_slip(wall, at, wall_vector(place->normal))) : 0.0;
+    const double load[WALL_LOADS] = {f.x, f.y, f.z, torque.x, torque.y, torque.z, power};
+    for (int c = 0; c < WALL_LOADS; c++)
+        walls->scratch[thread]->load[place->wall][c] += load[c];
 }

@@ -130,7 +130,7 @@ awk 'BEGIN { srand(1); print "x y z vx vy vz radius"; for (k = 0; k < 64; k++) p
     0.02 * rand() - 0.01, 0.02 * rand() - 0.01, 0.02 * rand() - 0.01, 1 }' >crystal.txt
 stable_alone() {
     local stable
-    stable=$("$scree" check crystal.yaml | sed -n 's/^  stable  *\([0-9.e+-]*\) .*/\1/p')
+    stable=$("$scree" check --all crystal.yaml | sed -n 's/^  stable  *\([0-9.e+-]*\) .*/\1/p')
     on 1 "$scree" ablate crystal.yaml --error -o stable --samples 2 --repeat 1 >said 2>told || { cat said told; return 1; }
     awk -F, -v stable="$stable" 'NR == 1 { for (i = 1; i <= NF; i++) at[$i] = i; next }
         { part = $at["dt_of_stable"]; if (!(part <= 0.95)) { print "  " $2 ": " part " of its stable step"; bad = 1 } }
@@ -188,18 +188,18 @@ takes_signals() {
     [ "$(cat /proc/"$1"/comm 2>/dev/null)" = "$(basename "$scree")" ] &&
         [ $((0x0$(awk '/^SigCgt/ { print $2 }' /proc/"$1"/status) >> 14 & 1)) = 1 ]
 }
+at_work() { # for wait_until: sets `program`
+    program=$(awk '{ print $1 }' /proc/$starter/task/$starter/children 2>/dev/null)
+    [ -n "$program" ] && takes_signals "$program" && { [ -z "$file" ] || [ -s "$file" ]; }
+}
 # ended DIR FILE FLAG...: SIGTERM while the first run goes on and, if a file is named, once it holds a line; the program says so and
 # goes no further
 ended() {
-    local dir=$1 file=$2 starter program status k
+    local dir=$1 file=$2 starter program status
     shift 2
-    timeout 300 "$scree" ablate scene.yaml -o "$dir" "$@" >said 2>told &
+    timeout "$limit" "$scree" ablate scene.yaml -o "$dir" "$@" >said 2>told &
     starter=$!
-    for k in $(seq 1200); do
-        program=$(awk '{ print $1 }' /proc/$starter/task/$starter/children 2>/dev/null)
-        [ -n "$program" ] && takes_signals "$program" && { [ -z "$file" ] || [ -s "$file" ]; } && break
-        sleep 0.1
-    done
+    wait_until at_work
     kill -TERM "$program" || { cat told; return 1; }
     wait $starter
     status=$?

@@ -168,7 +168,8 @@ scene 'no such file' "nowhere.data|No such file" 'particles: {file: nowhere.data
 scene 'no such mesh' "nowhere.stl|No such file" 'walls: [{shape: mesh, file: nowhere.stl}]'
 scene 'no room for the particles' "case.yaml:7|attempts" \
     'particles: {from: random, count: 100000, sizes: 1 mm, attempts: 10}'
-scene 'a field that a dump has no columns for' "case.yaml:8|field \"size_class\"|output.trajectory.fields" 'output: {dump: {every: 1, fields: [id, size_class]}}'
+scene 'a field that a dump has no columns for' "case.yaml:9|field \"orientation\"|output.trajectory.fields" \
+    'bodies: {clumps: [{radius_above: 1 m, spheres: [{centre: [0, 0, 0], radius: 1 mm}]}]}' 'output: {dump: {every: 1, fields: [id, orientation]}}'
 scene 'a cut tabulator of YAML' "case.yaml:8" '	index: hgrid'
 scene 'a periodic box too thin for the search' "case.yaml:1|periodic x edge|skin" \
     'box: {lower: [0, 0, 0], upper: [2.1 mm, 10 mm, 10 mm], periodic: [true, false, false]}' \
@@ -297,6 +298,52 @@ fits() { "$scree" run good.yaml --quiet -o "$1" >/dev/null 2>&1 && [ -e "$1/repo
 check 'an empty folder is taken' fits empty
 check 'a folder in folders that are missing is made' fits deep/er/new
 
+echo '== messages that name the key and the remedy'
+mistake 'a fraction above the whole step' "case.yaml:3: step.fraction: 2 of the stable time step|up to 1" 'step: {count: 4, fraction: 2}'
+mistake 'sieves in falling order' "sizes: diameters must increase: 0.001 comes after 0.002|finest sieve" \
+    'particles: {from: random, count: 10, sizes: {law: table, diameters: [2 mm, 1 mm, 0.5 mm], passing: [1, 0.5, 0]}}'
+mistake 'a strain along an open side' "box.strain.rate: the box is open along z|box.periodic along z" \
+    'box: {lower: [0, 0, 0], upper: [10 mm, 10 mm, 10 mm], strain: {rate: [0, 0, -0.1]}}'
+mistake 'two observables of one column' "a column of list[2] would be called \"momentum_x\", as one of list[0] is" \
+    'observables: {every: 2, list: [{name: momentum}, {name: speed_max}, {name: momentum}]}'
+mistake 'another word for a field' "did you mean 'angular_velocity'?" 'output: {dump: {every: 2, fields: [omega]}}'
+write_scene two.yaml 'materials: [{name: a, density: 2500, young: 10 MPa, poisson: 0.2}, {name: b, density: 2500, young: 10 MPa, poisson: 0.2}]' \
+    'particles: {from: single, position: [5 mm, 5 mm, 5 mm], radius: 1 mm, material: a}'
+bad mistake 'a key of a pair that has no entry' "material_pairs[b, a].friction: |known: 0; material_pairs[b, a]={...} adds an entry" \
+    "$scree" check two.yaml --set 'material_pairs[b, a].friction=0.1'
+bad mistake 'a pair of an unknown material' "material_pairs[1].between[1]: 'wa'|known: a, b" \
+    "$scree" check two.yaml --set 'material_pairs[b, wa]={friction: 0.1, restitution: 0.3}'
+added() { "$scree" check two.yaml --set 'material_pairs[b, a]={friction: 0.1, restitution: 0.3}' --set 'material_pairs[a, b].friction=0.2' | grep -q ': valid'; }
+check 'a whole entry of a pair is added' added
+mkdir bare
+bad mistake 'info of a folder without files of a run' "bare: is a folder without trajectory.h5" "$scree" info bare
+of_folder() { "$scree" info there >"$out/told" && holds "$out/told" 'there/trajectory.h5: H5MD' && holds "$out/told" 'there/checkpoint-4.h5: checkpoint'; }
+check 'info of the folder of a run' of_folder
+light() { "$scree" check good.yaml --set materials[0].density=2.5 >"$out/told" && holds "$out/told" 'NOTE: materials[0].density: 2.5 kg/m3 is the density of a gas; of a solid? Then write 2.5 g/cm3'; }
+check 'a density in g/cm3 is noted' light
+: >page.html
+bad mistake 'report over a file' "page.html: is there already (--overwrite replaces it)" "$scree" report there -o page.html
+: >page.pov
+bad mistake 'picture over a file' "page.pov: is there already (--overwrite replaces it)" "$scree" picture there -o page.pov
+
+echo '== pipes'
+mkfifo pipe
+piped() { mistake "a named pipe: $1" "$2: pipe is a named pipe" "$3"; }
+piped 'a table' 'particles.sources[0].file' 'particles: {file: pipe, format: table}'
+piped 'a mesh' 'walls[0].file' 'walls: [{shape: mesh, file: pipe}]'
+piped 'sizes' 'sizes.file' 'particles: {from: random, count: 3, sizes: {law: table, file: pipe}}'
+piped 'bonds' 'bonds.list' 'bonds: {list: pipe, laws: [{k_n: 1, k_s: 1}]}'
+piped 'a motion' 'walls[0].motion[0].file' 'walls: [{shape: plane, point: [0, 0, 0], normal: [0, 0, 1], motion: [{kind: table, file: pipe}]}]'
+write_scene case.yaml 'contact: {law: {file: pipe}}' 'materials: [{name: glass, density: 2500}]' 'material_pairs: [{restitution: 0.5, friction: 0.3, k_n: 1e5}]'
+bad mistake 'a named pipe: a law' 'pipe is a named pipe' "$scree" run case.yaml -o new --quiet
+bad mistake 'a named pipe: a scene' 'pipe: is a named pipe' "$scree" run pipe -o new --quiet
+bad mistake 'a named pipe: info' 'pipe: is a named pipe' "$scree" info pipe
+bad mistake 'a named pipe: convert' 'pipe: is a named pipe' "$scree" convert pipe new.data
+bad mistake 'a named pipe: resume' 'pipe: is not a file' "$scree" run good.yaml -o new --resume pipe
+rm pipe
+unnamed() { "$scree" check <(cat good.yaml) | grep -q ': valid'; }
+check 'a pipe without a name is read' unnamed
+
 echo '== data files'
 head='LAMMPS\n\n2 atoms\n1 atom types\n0 0.01 xlo xhi\n0 0.01 ylo yhi\n0 0.01 zlo zhi\n\nAtoms # sphere\n\n'
 first='1 1 0.002 2500 0.002 0.005 0.005\n'
@@ -305,7 +352,7 @@ data 'a word for a number' "case.data:12|not a number" lammps-data "$head$first"
 data 'too few columns' "case.data:12" lammps-data "$head$first"'2 1 0.002 2500\n'
 data 'more atoms than announced' "case.data" lammps-data \
     "$head$first"'2 1 0.002 2500 0.006 0.005 0.005\n3 1 0.002 2500 0.008 0.005 0.005\n'
-data 'an id twice' "case.data|id 1|twice" lammps-data "$head$first"'1 1 0.002 2500 0.006 0.005 0.005\n'
+data 'an id twice' "case.data:12|particle 1, line 11" lammps-data "$head$first"'1 1 0.002 2500 0.006 0.005 0.005\n'
 data 'another atom style' "case.data:9|molecular|sphere" lammps-data "${head/sphere/molecular}$first"
 data 'a type without material' "case.data|type" lammps-data "$head$first"'2 2 0.002 2500 0.006 0.005 0.005\n'
 data 'empty' "case.data" lammps-data ''
@@ -328,6 +375,10 @@ data 'no such column' "case.data:1|colour" table 'radius x y z colour\n0.001 0.0
 data 'a word for a number' "case.data:2|here" table 'radius x y z\n0.001 here 0.005 0.005\n'
 data 'truncated row' "case.data:3" table 'radius x y z\n0.001 0.002 0.005 0.005\n0.001 0.006\n'
 data 'coinciding centres' "case.data|coincide" table 'radius x y z\n0.001 0.002 0.005 0.005\n0.001 0.002 0.005 0.005\n'
+printf 'id radius x y z\n3 0.001 0.002 0.002 0.002\n7 0.001 0.002 0.002 0.005\n' >other.data
+printf 'id radius x y z\n7 0.001 0.006 0.005 0.005\n' >case.data
+scene 'an id of two files' 'case.data:2: |particle 7, line 3 of other.data|`ids: new`' \
+    'particles: {sources: [{file: other.data, format: table}, {file: case.data, format: table}]}'
 data 'an id twice' "case.data:3|particle 7|line 2" table 'id radius x y z\n7 0.001 0.002 0.005 0.005\n7 0.001 0.006 0.005 0.005\n'
 data 'a radius of zero' "case.data:2|radius" table 'radius x y z\n0 0.002 0.005 0.005\n'
 data 'infinite position' "case.data:2|x" table 'radius x y z\n0.001 inf 0.005 0.005\n'
@@ -463,6 +514,12 @@ bad 'command line' 'convert a dump of more than it can hold' "case.lammpstrj:4|c
     "$scree" convert case.lammpstrj new --to lammps-data
 bad 'command line' 'no such scene' "nowhere.yaml|No such file" "$scree" run nowhere.yaml -o new
 bad 'command line' 'a folder for a scene' "there" "$scree" run there -o new
+little() { # COMMAND: of a machine with little memory
+    bad "$1" 'more particles than memory' 'particles: 20000000 particles need|GiB are free' bash -c 'ulimit -v 3000000; exec "$@"' little "$scree" "$@"
+}
+write_scene case.yaml 'particles: {from: random, count: 20000000, sizes: 1 um}'
+little run case.yaml -o new --quiet
+little check case.yaml
 bad 'command line' 'a folder that exists' "there|exists already|--overwrite" "$scree" run good.yaml -o there
 bad 'command line' 'a file in place of the folder' "good.yaml|not a directory" "$scree" run good.yaml -o good.yaml --overwrite
 bad 'command line' 'a folder below a file' "good.yaml/where|Not a directory" "$scree" run good.yaml -o good.yaml/where
@@ -479,6 +536,13 @@ mesh 'binary STL cut off' "case.stl|truncated"
 head -c $((size / 2)) $checkpoint >case.h5
 resume 'cut in the middle' "case.h5"
 line '--set without =' "KEY=VALUE" run good.yaml -o new --set step.count
+little() (
+    ulimit -v 3000000
+    bad 'memory' 'more particles than memory' "particles: 20000000 particles need|GiB are free" "$scree" "$@" && [ "$failures" = 0 ]
+)
+write_scene case.yaml 'particles: {from: random, count: 20000000, sizes: 1 um}'
+little run case.yaml -o new --quiet
+little check case.yaml
 bad 'command line' 'a folder that exists' "there|exists already" "$scree" run good.yaml -o there
 
 finish

@@ -38,6 +38,28 @@ flight() {
 }
 check 'free flight of a dumbbell across periodic sides: closed form, energy' flight 1
 
+# Bodies as drawn: members keep their radii and distances whatever the radius of the grain is, and `scree check` knows the body: of two balls of
+# radius 1/2, 1.5 apart, at a density of 2, M = 2 pi / 3, inertia 2/5 M r^2 about the axis and M (2/5 r^2 + (3/4)^2) across it
+drawn='bodies.clumps[0]={name: dumbbell, size: drawn, spheres: [{centre: [7, 7, 7], radius: 0.5}, {centre: [7, 7, 8.5], radius: 0.5}], orientation: given, quaternion: [1, 0, 0, 0], angular_velocity: [0, 1.5, 0]}'
+known_body() { # RANKS SETTING...
+    on "$1" "$scree" check --all flight.yaml --set "$drawn" --set particles.density=2 "${@:2}" | awk -v FS='[ ,]+' 'function off(a, b) { a = a / b - 1; return a < 0 ? -a : a }
+        /^bodies .dumbbell/ { print; about = index($0, "radius of the ball 1.25 about 7 7 7.75,") }
+        /^  each: radius 1.25,/ { print; pi = atan2(0, -1); m = 2 * pi / 3
+            good = off($6, m) < 1e-5 && off($11, m * 0.1) < 1e-5 && off($12, m * (0.1 + 0.5625)) < 1e-5 && off($13, m * (0.1 + 0.5625)) < 1e-5 }
+        END { exit !(about && good) }'
+}
+check 'a body as drawn: mass, radius and inertia' known_body 1
+check 'a body as drawn, on 2 ranks' known_body 2
+drawn_flight() { # RANKS
+    rm -rf drawn && run_scene "$1" flight.yaml drawn --set "$drawn" --set particles.radius=0.3 --set particles.density=2 --set "output.dump.fields=[id, kind, radius, position]" && grep -q "^ITEM: ATOMS id type radius x y z kind$" drawn/dump.lammpstrj && rows drawn | awk '
+        function same(a, b) { a -= b; a -= 5 * int(a / 5 + (a > 0 ? 0.5 : -0.5)); a = a < 0 ? -a : a; if (a > most) most = a }
+        { t = 2; side = $1 == 1 ? 0 : $1 % 2 == 0 ? -1 : 1; s = 0.75 * sin(1.5 * t); c = 0.75 * cos(1.5 * t)
+          same($4, 4.5 + t + side * s); same($5, 1 + 2 * t); same($6, 20 + 3 * t - t * t + side * c); if ($3 != ($1 == 1 ? 1.25 : 0.5) || $7 != ($1 == 1 ? 3 : 0)) bad = 1 }
+        END { printf "  %d rows, largest difference %.2g\n", NR, most; exit !(NR == 3 && most < 1e-11 && !bad) }'
+}
+check 'a body as drawn, of a grain of another radius: closed form' drawn_flight 1
+check 'a body as drawn, on 2 ranks: closed form' drawn_flight 2
+
 # Bodies of overlapping and of separate spheres meet without loss
 cat >collide.yaml <<'YAML'
 units: none
@@ -72,6 +94,16 @@ collide() { # RANKS WITH_ENERGY SETTING...
     rm -rf collide && run_scene "$ranks" collide.yaml collide "$@" && conserved collide "$energy"
 }
 check 'collisions: energy, momentum, angular momentum' collide 1 yes
+centres() { # RANKS: a dumbbell that flies and turns: M v^2 / 2 by its momentum, and the rest, which is I w^2 / 2
+    run_scene "$1" collide.yaml centres --overwrite --set particles.sources='[{from: single, position: [1, 2, 2], radius: 0.7, velocity: [0.5, 1, 0], material: a}]' \
+        --set bodies.clumps='[{name: dumbbell, material: a, angular_velocity: [0, 0, 3], spheres: [{centre: [-1, 0, 0], radius: 1}, {centre: [1, 0, 0], radius: 1}]}]' \
+        --set observables='{every: 2000, list: [{name: energy_kinetic}, {name: momentum}, {name: energy_rotational}, {name: energy_kinetic_mean}, {name: energy_balance}]}' \
+        --set step.count=10000 || return 1
+    awk -F, 'NR > 1 { mass = $4 / 1; want = 0.5 * mass * 1.25; off = $2 / want - 1; if (off * off > 1e-22 || ($7 - $2 / 2) ^ 2 > 1e-22 || ($2 + $6 - $8) ^ 2 > 1e-22 || $6 < 0.01) bad = 1
+        if (bad) { print "  " $0 "; M v^2 / 2 is " want; exit 1 } }' centres/observables.csv
+}
+check 'the translational energy of a body is that of its centre' centres 1
+check 'on two ranks, too' centres 2
 check 'collisions with friction and damping, 3 ranks: momentum, angular momentum' collide 3 '' --set contact.tangential=history \
     --set step.dt=0.0002 --set step.count=6000 --set observables.every=6000 --set output.dump.every=6000 --set 'material_pairs=[{k_n: 10000, restitution: 0.8, friction: 0.4}]'
 
@@ -82,7 +114,7 @@ awk 'BEGIN { split("0 2 3 1 4 5 7 6 0 1 5 4 2 6 7 3 0 4 6 2 1 3 7 5", v, " ")
         print line } }' >cube.txt
 cube='bodies.clumps[1]={name: cube, material: b, angular_velocity: [1, 2, 0.5], mesh: cube.txt, scale: 2, mesh_spheres: 40}'
 filled() {
-    "$scree" check collide.yaml --set "$cube" | awk -v FS='[ ,]+' '/^bodies .cube/ { print "  " $0
+    "$scree" check --all collide.yaml --set "$cube" | awk -v FS='[ ,]+' '/^bodies .cube/ { print "  " $0
         spheres = $3; part = $7; for (k = 1; k <= NF; k++) if ($k == "volume" && $(k + 1) ~ /^[0-9]/) volume = $(k + 1)
         good = spheres > 8 && part > 0.7 && part < 1 && volume == 8 && $NF == 0.666667 && $(NF - 1) == 0.666667 }
         END { exit !good }'
@@ -147,14 +179,14 @@ check 'a drum of dumbbells' env OMP_NUM_THREADS=1 SCREE="$scree" "$top_srcdir/ex
 
 # Without bodies nothing of them is there
 absent() {
-    ! "$scree" check crowd.yaml --set 'bodies=~' --set 'observables.list=[{name: energy}]' | grep -E '^  (orientation|body|body_part|kind) +[0-9]|^  bodies '
+    ! "$scree" check --all crowd.yaml --set 'bodies=~' --set 'observables.list=[{name: energy}]' | grep -E '^  (orientation|body|body_part|kind) +[0-9]|^  bodies '
 }
 check 'absent unless asked for' absent
 
 refused() { # TEXT SCENE SETTING...
     local text=$1 scene=$2
     shift 2
-    "$scree" check "$scene" "$@" >told 2>&1
+    "$scree" check --all "$scene" "$@" >told 2>&1
     [ $? = 2 ] && grep -qF -- "$text" told || { cat told; return 1; }
 }
 entry() { echo "bodies={clumps: [{material: a, $1}]}"; }

@@ -55,16 +55,36 @@ breaks() { # MODE STEP SETTING...
         [ "$(value pair 12 1)$(value pair 6 1)" = 00 ] || { cat pair/bonds_broken.csv; return 1; }
 }
 check 'breaks by tension where the stress reaches the strength' breaks tension 60 --set 'bonds.laws=[{k_n: 1000, k_s: 400, tensile_strength: 5.95}]'
+# grain 1 rests at 11.6, grain 2 comes to 0.606 behind the side of the box at 12
+place() { within "$(sed -n 2p pair/bonds_broken.csv | cut -d , -f 6)" 0.103 1e-12 && [ "$(sed -n 2p pair/bonds_broken.csv | cut -d , -f 7,8)" = 2,2 ]; }
+check 'in the middle between the two grains' place
 check 'breaks by shear' breaks shear 70 --set 'groups[1].velocity=[0, 1e-3, 0]' --set 'bonds.laws=[{k_n: 1000, k_s: 400, shear_strength: 0.278}]'
 listed() { # over a gap, by ids
     printf '# two ids a line\n2 1\n' >ids.txt
     rm -rf pair && run_scene 2 pair.yaml pair --set bonds.list=ids.txt --set 'particles.sources[1].position=[4.5, 2, 2]' && within "$(value pair 6 1)" 1.9634954084936 1e-9
 }
 check 'a list of ids' listed
+slanted() { # the nearest image, 4.9 along x and 0.5 along y: A u (k_n cos^2 + k_s sin^2)
+    rm -rf pair && run_scene 2 pair.yaml pair --set bonds.list=ids.txt --set 'particles.sources[1].position=[4.5, 2.5, 2]' --set 'groups[1].velocity=[1e-6, 0, 0]' &&
+        within "$(value pair 6 1)" "$(awk 'BEGIN { printf "%.15g", atan2(0, -1) / 16 * 1e-6 * (1000 * 24.01 + 400 * 0.25) / 24.26 }')" 1e-9
+}
+check 'a list of ids, across the nearest side' slanted
 later() { # made at t = 0.5: half of the way counts
     rm -rf pair && run_scene 2 pair.yaml pair --set bonds.when=time --set bonds.time=0.5 --set bonds.gap=0.1 && within "$(value pair 6 1)" 0.9817477042468 1e-9
 }
 check 'made at a time' later
+
+none() { # RANKS WORDS SETTING...: check and run warn that there is no bond
+    local ranks=$1 words=$2 verb
+    shift 2
+    for verb in check 'run -o unbonded --overwrite'; do
+        on "$ranks" "$scree" $verb pair.yaml --set 'particles.sources[1].position=[4.5, 2, 2]' "$@" >said 2>&1 && holds said "warning: bonds: there is no bond$words" || return 1
+    done
+}
+check 'no bond is told' none 1 ' at t = 0: no two grains'
+check 'no bond is told, 3 ranks, later' none 3 ' at t = 0.5: no two grains' --set bonds.when=time --set bonds.time=0.5
+echo '# nothing' >empty.txt
+check 'an empty list is told' none 1 ': ' --set bonds.list=empty.txt
 
 # Two free grains: the limit of the step, exact for this pair
 free() { # FACTOR: the energy after 20 steps over that at the start
@@ -74,7 +94,7 @@ free() { # FACTOR: the energy after 20 steps over that at the start
         awk -F , 'NR == 2 { a = $2 } END { printf "%.3g\n", $2 / a }' free/observables.csv
 }
 stable() {
-    limit_step=$("$scree" check pair.yaml --set 'groups=~' --set 'particles.sources=[{from: single, position: [3, 2, 2], radius: 0.5}, {from: single, position: [4.04, 2, 2], radius: 0.5}]' \
+    limit_step=$("$scree" check --all pair.yaml --set 'groups=~' --set 'particles.sources=[{from: single, position: [3, 2, 2], radius: 0.5}, {from: single, position: [4.04, 2, 2], radius: 0.5}]' \
         --set bonds.gap=0.05 --set 'bonds.laws=[{k_n: 1000, k_s: 10, radius: 0.5}]' --set 'material_pairs=[{k_n: 1, restitution: 0.9, friction: 0.3}]' --set step.dt=1e-4 --set 'output.dump=~' | sed -n 's/^  stable  *\([0-9.e-]*\).*/\1/p')
     within "$limit_step" "$(awk 'BEGIN { pi = atan2(0, -1); print sqrt(2 * (pi / 6) / (1000 * pi / 16)) }')" 2e-5 || return 1
     local below above
@@ -138,7 +158,7 @@ absent() {
     run_scene 1 ball.yaml none --set reproducible=true --set 'bonds.laws=[{between: [b], k_n: 1, k_s: 1}]' --set 'output.dump.fields=[id, position, velocity]' --set 'observables.list=[{name: energy_kinetic}]' &&
         run_scene 1 ball.yaml without --set reproducible=true --set 'bonds=~' --set 'output.dump.fields=[id, position, velocity]' --set 'observables.list=[{name: energy_kinetic}]' &&
         cmp <(ball_rows none) <(ball_rows without) && [ ! -e without/bonds_broken.csv ] &&
-        ! "$scree" check ball.yaml --set 'bonds=~' --set 'output.dump.fields=[id, position]' --set 'observables.list=[{name: energy_kinetic}]' |
+        ! "$scree" check --all ball.yaml --set 'bonds=~' --set 'output.dump.fields=[id, position]' --set 'observables.list=[{name: energy_kinetic}]' |
         grep -E '^  (bonds|own_reach|bond_group) +[0-9]|carry'
 }
 check 'absent unless asked for, and no grain moves otherwise' absent
@@ -148,7 +168,7 @@ check 'a ball is crushed' env SCREE="$scree" "$top_srcdir/examples/crushing/chec
 refused() { # TEXT SETTING...
     local text=$1
     shift
-    ! "$scree" check pair.yaml "$@" >told 2>&1 && grep -qF -- "$text" told || { cat told; return 1; }
+    ! "$scree" check --all pair.yaml "$@" >told 2>&1 && grep -qF -- "$text" told || { cat told; return 1; }
 }
 check 'half of the stiffness' refused 'needs k_n and k_s' --set 'bonds.laws=[{k_n: 1}]'
 check 'two kinds of stiffness' refused 'needs k_n and k_s' --set 'bonds.laws=[{k_n: 1, k_s: 1, modulus: 1}]'

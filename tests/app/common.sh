@@ -88,16 +88,23 @@ lacks() {
     [ $? = 1 ]
 }
 
-# wait_for PATTERN [COUNT]: until there are so many such files (one), for at most 120 s
-wait_for() {
-    local k
-    for k in $(seq 1200); do
-        [ "$(compgen -G "$1" | wc -l)" -ge "${2:-1}" ] && return 0
+# wait_until COMMAND...: until it is true; it fails once no job of the script is left that could make it true. The limit of the whole
+# test (launch) ends a wait for what never comes: no test depends on how fast a machine is
+wait_until() {
+    until "$@"; do
+        [ -n "$(jobs -r)" ] || { "$@"; return; }
         sleep 0.1
     done
-    echo "  no $1"
-    return 1
 }
+
+# wait_for PATTERN [COUNT]: until there are so many such files (one)
+files_there() { [ "$(compgen -G "$1" | wc -l)" -ge "${2:-1}" ]; }
+wait_for() {
+    wait_until files_there "$@" || { echo "  no $1"; return 1; }
+}
+
+# lines_there FILE PATTERN COUNT: the file has so many such lines; for wait_until
+lines_there() { [ "$(grep -acE -e "$2" "$1" 2>/dev/null)" -ge "$3" ]; }
 
 # ranks_of PID: the processes of the program below a starter
 ranks_of() {

@@ -83,14 +83,14 @@ absent() {
     run_scene 1 cloud.yaml with --set threads=1 --set output.dump.fields='[id, position]' &&
         run_scene 1 cloud.yaml without --set threads=1 --set output.dump.fields='[id, position]' --set 'number_density=~' \
             --set 'observables.list=[{name: energy}]' && cmp with/dump.lammpstrj without/dump.lammpstrj &&
-        ! "$scree" check cloud.yaml --set 'number_density=~' --set 'observables.list=[{name: energy}]' --set 'output.dump.fields=[id]' | grep -q '^  number_density  *8'
+        ! "$scree" check --all cloud.yaml --set 'number_density=~' --set 'observables.list=[{name: energy}]' --set 'output.dump.fields=[id]' | grep -q '^  number_density  *8'
 }
 
 check 'absent unless asked for' absent
 
 refused() {
-    ! "$scree" check cloud.yaml --set 'number_density.support=~' >told 2>&1 && grep -q 'number_density.support: is missing' told &&
-        ! "$scree" check cloud.yaml --set number_density.support=5 >told 2>&1 && grep -q 'too short' told
+    ! "$scree" check --all cloud.yaml --set 'number_density.support=~' >told 2>&1 && grep -q 'number_density.support: is missing' told &&
+        ! "$scree" check --all cloud.yaml --set number_density.support=5 >told 2>&1 && grep -q 'too short' told
 }
 check 'a support is needed, and fits the box' refused
 
@@ -100,7 +100,7 @@ untouched() {
         cloud.yaml >points.yaml
     rm -rf run more
     run_scene "$1" points.yaml run --set step.dt=0.01 --set output.checkpoint.every=10 && sums run 5 3 251 &&
-        ! "$scree" check points.yaml --set step.dt=0.01 | grep -E '^  (contact|finish|wall) |spin *[0-9]' &&
+        ! "$scree" check --all points.yaml --set step.dt=0.01 | grep -E '^  (contact|finish|wall) |spin *[0-9]' &&
         run_scene 1 points.yaml more --set step.dt=0.01 --resume run/checkpoint-10.h5 && sums more 5 3 251 &&
         awk -F , 'FNR == 1 { next } NR == FNR { a[$1] = $3; next } { d = $3 - a[$1]; if (d * d > 1e-20) exit 1 }' \
             run/observables.csv more/observables.csv
@@ -108,10 +108,10 @@ untouched() {
 check 'without materials' untouched 1
 check 'without materials, 3 ranks' untouched 3
 needed() {
-    ! "$scree" check points.yaml >told 2>&1 && grep -q 'step.dt is needed' told &&
-        ! "$scree" check cloud.yaml --set 'materials=~' >told 2>&1 && grep -q 'material_pairs: is given, but' told &&
-        ! "$scree" check points.yaml --set 'particles.sources[0].density=0' --set step.dt=0.01 >told 2>&1 && grep -q 'has no density' told &&
-        ! "$scree" check points.yaml --set 'number_density=~' --set 'observables.list=[]' >told 2>&1 && grep -q 'materials: is missing' told
+    ! "$scree" check --all points.yaml >told 2>&1 && grep -q 'step.dt is needed' told &&
+        ! "$scree" check --all cloud.yaml --set 'materials=~' >told 2>&1 && grep -q 'material_pairs: is given, but' told &&
+        ! "$scree" check --all points.yaml --set 'particles.sources[0].density=0' --set step.dt=0.01 >told 2>&1 && grep -q 'has no density' told &&
+        ! "$scree" check --all points.yaml --set 'number_density=~' --set 'observables.list=[]' >told 2>&1 && grep -q 'materials: is missing' told
 }
 check 'what a scene without materials needs' needed
 

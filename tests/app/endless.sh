@@ -17,14 +17,10 @@ EOF
 
 # endless DIR SETTING: SIGTERM after some checkpoints; status 143
 endless() {
-    local pid k
+    local pid
     "$scree" run scene.yaml -o "$1" --quiet --set step.dt=0.001 --set "$2" --set output.checkpoint.every=100 >said 2>&1 &
     pid=$!
-    for k in $(seq 1200); do
-        compgen -G "$1/checkpoint-*00.h5" >/dev/null && break
-        kill -0 $pid 2>/dev/null || break
-        sleep 0.1
-    done
+    wait_for "$1/checkpoint-*00.h5"
     kill -TERM $pid 2>/dev/null
     wait $pid
     [ $? = 143 ] && [ "$(number "$1/report.json" last_step)" -ge 100 ] || { echo "  it ended by itself:"; cat said "$1/report.json"; return 1; }

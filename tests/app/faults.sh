@@ -48,22 +48,21 @@ job() {
     return $good
 }
 
-# gone PID: within 30 s; a dead process that nobody asks for is gone
+# gone PID: waits until it is; a dead process that nobody asks for is gone. One that stays is told once the limit of the job is over
 gone() {
-    local k
-    for k in $(seq 300); do
-        grep -q '^State:.*[^ZX] (' /proc/"$1"/status 2>/dev/null || return 0
+    local end=$((SECONDS + limit))
+    while grep -q '^State:.*[^ZX] (' /proc/"$1"/status 2>/dev/null; do
+        [ $SECONDS -lt $end ] || return 1
         sleep 0.1
     done
-    return 1
 }
 
-# ended: waits for the job, which must end within 100 s, all of it; sets `status`
+# ended: waits for the job, all of it; sets `status`, which is 124 if the job had to be ended
 ended() {
-    local began=$SECONDS pid
+    local pid
     wait "$starter" 2>/dev/null
     status=$?
-    [ $((SECONDS - began)) -le 100 ] || { echo "  the job took $((SECONDS - began)) s to end"; return 1; }
+    [ $status != 124 ] || { echo '  the job did not end by itself'; return 1; }
     for pid in $pids; do
         gone "$pid" || { echo "  process $pid is still there"; return 1; }
     done
@@ -100,12 +99,11 @@ goes_on() {
 }
 
 echo '== ranks that die'
-# killed RANK SECONDS: SIGKILL to one of three ranks, so long after its second checkpoint
+# killed RANK CHECKPOINT: SIGKILL to one of three ranks, once this checkpoint is there
 killed() {
     local dir=killed$1
     start 3 "$dir" --set output.checkpoint.every=7 --set output.checkpoint.keep=1000
-    wait_for "$dir/checkpoint-14.h5" || return 1
-    sleep "$2"
+    wait_for "$dir/checkpoint-$2.h5" || return 1
     pids=$(ranks_of "$starter")
     [ "$(wc -w <<<"$pids")" = 3 ] || { echo "  not 3 ranks: $pids"; return 1; }
     kill -KILL "$(sed -n "$(($1 + 1))p" <<<"$pids")"
@@ -115,14 +113,13 @@ killed() {
         { echo '  not one message:'; cat "$dir.said"; return 1; }
     goes_on "$dir" $((4 - 2 * ($1 % 2)))
 }
-check 'SIGKILL to rank 1 of 3: one message; 2 ranks go on' job killed 1 0.05
-check 'SIGKILL to rank 0 of 3: one message; 4 ranks go on' job killed 0 0.23
+check 'SIGKILL to rank 1 of 3: one message; 2 ranks go on' job killed 1 14
+check 'SIGKILL to rank 0 of 3: one message; 4 ranks go on' job killed 0 35
 
 # stopped: SIGTERM to one rank
 stopped() {
     start 3 stopped --set output.checkpoint.every=1000000 --set observables.every=1
-    wait_for stopped/observables.csv || return 1
-    sleep 0.3
+    wait_until lines_there stopped/observables.csv '^[0-9]' 3 || return 1
     pids=$(ranks_of "$starter")
     kill -TERM "$(sed -n 2p <<<"$pids")"
     ended || return 1
@@ -248,13 +245,12 @@ check 'none is whole: the newest is named' none_whole
 echo '== writes that end too early on one rank'
 # cut_one NUMBER WORDS: the NUMBERth write of rank 1; after some of them HDF5 never returns (h5_watch.h)
 cut_one() {
-    local dir=write status began=$SECONDS
+    local dir=write status
     rm -rf $dir
     on 2 env LD_PRELOAD="$cut_write" ASAN_OPTIONS="${ASAN_OPTIONS:-}:verify_asan_link_order=0" CUT_RANK=1 CUT_NUMBER="$1" \
         "$scree" run scene.yaml -o $dir --quiet --set output.trajectory.every=20 >write.said 2>&1
     status=$?
     [ $status = 1 ] && says_once write.said "$2|cannot be written" || { echo "  status $status"; cat write.said; return 1; }
-    [ $((SECONDS - began)) -le 200 ] || { echo "  the job took $((SECONDS - began)) s to end"; return 1; }
 }
 if [ -e "$cut_write" ]; then
     check 'of a dataset' cut_one 8 '/particles/all/position/value'

@@ -34,7 +34,7 @@ observables: {every: 1, list: [{name: fluid}]}
 output: {checkpoint: {every: 6}, dump: {every: 12, fields: [id, velocity, pressure, divergence, vorticity, drag]}}
 YAML
 
-if ! "$scree" check channel.yaml >said 2>&1; then
+if ! "$scree" check --all channel.yaml >said 2>&1; then
     grep -q 'built without PETSc' said || { cat said; check "a build without PETSc says so" false; }
     skip "fluid: $(cat said)"
     check "a build without PETSc names PETSc and status 2" grep -q PETSc said
@@ -90,12 +90,12 @@ rm -rf run
 check "body-centred lattice: one rank" run_scene 1 sphere.yaml run --set index=brute --set step.count=0 --set fluid.fill.arrangement=bcc
 frame run >first
 check "body-centred lattice: the same operators on 3 ranks, hgrid" operators 3 1 --set fluid.fill.arrangement=bcc --set index=hgrid
-check "body-centred lattice: check tells its steps" eval '"$scree" check sphere.yaml --set fluid.fill.arrangement=bcc >said 2>&1 && grep -q "lattice *steps of 0.05, 0.05, 0.05: stretched by 0.048" said && grep -q "neighbours *2[0-9.]* a fluid particle" said'
+check "body-centred lattice: check tells its steps" eval '"$scree" check --all sphere.yaml --set fluid.fill.arrangement=bcc >said 2>&1 && grep -q "lattice *steps of 0.05, 0.05, 0.05: stretched by 0.048" said && grep -q "neighbours *2[0-9.]* a fluid particle" said'
 
 # A lattice that is stretched to fit the box fills it: even flow has its velocity, energy and the porosity 1
 stretched() {
     rm -rf run
-    on 1 "$scree" check channel.yaml "$@" >told 2>&1 && grep -q 'lattice .*: stretched by 0.0[0-9]* to fit the box' told || { cat told; return 1; }
+    on 1 "$scree" check --all channel.yaml "$@" >told 2>&1 && grep -q 'lattice .*: stretched by 0.0[0-9]* to fit the box' told || { cat told; return 1; }
     run_scene 1 channel.yaml run --set threads=1 "$@" && within "$(last_of run fluid_velocity_x)" 1 1e-12 && within "$(last_of run fluid_velocity_y)" 0.5 1e-12 &&
         within "$(last_of run fluid_porosity)" 1 1e-12 && within "$(last_of run fluid_energy)" 0.625 1e-12
 }
@@ -173,6 +173,25 @@ driven() { # a flow of given mass goes on as if it had not stopped
         awk -F , 'NR == 1 { for (k = 1; k <= NF; k++) if ($k ~ /^flow_rate_x/) c = k } END { exit !($c > 0.695 && $c < 0.705) }' whole/observables.csv
 }
 check "a resume of a flow of given mass" driven
+# A drive that pulsates: a table of time and factor, which begins again; the same bits after a resume
+printf '%s\n' '# t factor' '0 1' '0.05 3' '0.1 -1' '0.15 1' >pulse.txt
+pulse='fluid.drive={body_force: [1, 0, 0], table: pulse.txt, repeat: true}'
+pulsating() {
+    rm -rf whole half
+    run_scene 1 channel.yaml whole --set threads=1 --set "$pulse" --set 'observables={every: 1, list: [{name: pressure_drop}]}' &&
+        run_scene 1 channel.yaml half --set threads=1 --set "$pulse" --set 'observables={every: 1, list: [{name: pressure_drop}]}' --resume whole/checkpoint-6.h5 &&
+        cmp <(tail -n 1 whole/observables.csv) <(tail -n 1 half/observables.csv) &&
+        awk -F , 'NR == 2 { first = $2 } NR == 3 || NR == 4 || NR == 11 { print "  t " $1 ": " $2 / first }
+            NR == 3 && ($2 / first - 1.4) ^ 2 > 1e-20 || NR == 4 && ($2 / first - 2.2) ^ 2 > 1e-20 || NR == 11 && ($2 / first - 1.8) ^ 2 > 1e-20 { bad = 1 } END { exit bad || NR < 10 }' whole/observables.csv
+}
+check "a drive by a table, and a resume" pulsating
+check "a table of a steady drive" scene_refused 'fluid.drive.table|steady' sphere.yaml --set "$pulse" --set fluid.time=steady --set fluid.equations=stokes
+check "a table of a given mass flow" scene_refused 'fluid.drive.table|body_force or pressure_drop' channel.yaml --set 'fluid.drive={mass_flow: 0.7, table: pulse.txt}'
+printf '0 1\n0 2\n' >still.txt
+printf '0 1\n' >one.txt
+check "a table whose time stands" scene_refused 'still.txt:2|does not increase' channel.yaml --set 'fluid.drive={body_force: [1, 0, 0], table: still.txt}'
+check "a table of one row that repeats" scene_refused 'two or more' channel.yaml --set 'fluid.drive={body_force: [1, 0, 0], table: one.txt, repeat: true}'
+check "a table that is not there" scene_refused 'fluid.drive.table|none.txt' channel.yaml --set 'fluid.drive={body_force: [1, 0, 0], table: none.txt}'
 rm -rf whole
 run_scene 2 channel.yaml whole --set threads=1
 other_ranks() {
@@ -261,7 +280,7 @@ YAML
 bodies '1 + 0.19 * cos(pi * k / 8)' '0.9 + 0.19 * sin(pi * k / 8)' >ring.yaml
 bodies '0.0625 + k / 8' '0.9' >row.yaml
 regions() { # SCENE WORDS RANKS: the flow has a small divergence, the drag is the force on the fluid less that of the walls
-    on 1 "$scree" check "$1.yaml" >told 2>&1
+    on 1 "$scree" check --all "$1.yaml" >told 2>&1
     grep -q "$2" told || { cat told; return 1; }
     rm -rf one other
     run_scene 1 "$1.yaml" one --set threads=1 --set fluid.solver.tolerance=1e-9 &&
@@ -271,7 +290,7 @@ check "a closed pocket becomes solid" regions ring 'nodes of the fluid lie in cl
 check "with it the fluid is one region" grep -q '1 connected region$' told
 check "two regions of fluid" regions row '2 connected regions' 3
 
-# A turning cylinder takes the fluid with it: rigid rotation, exact but for the curvature of the wall
+# A turning cylinder takes the fluid with it: rigid rotation
 cat >drum.yaml <<'YAML'
 units: none
 box: {lower: [-0.5, -0.5, 0], upper: [0.5, 0.5, 0], dimension: 2}
@@ -288,9 +307,36 @@ rotation() {
         /^ITEM/ { reading = 0 }
         reading && NF > 4 { x = $at["x"]; y = $at["y"]; r = x * x + y * y
             if (r < 0.45 ^ 2) { gap += ($at["vx"] + y) ^ 2 + ($at["vy"] - x) ^ 2; size += r; n++ } }
-        END { e = sqrt(gap / size); printf "  %d particles, relative error %.3g\n", n, e; exit !(n > 300 && e < 0.015) }' drum/dump.lammpstrj
+        END { e = sqrt(gap / size); printf "  %d particles, relative error %.3g\n", n, e; exit !(n > 300 && e < 1e-3) }' drum/dump.lammpstrj
 }
 check "a turning cylinder takes the fluid with it" rotation
+
+# Grains that only spin stay where they are: a steady flow around them, and one in time on particles at rest; torque on a disc in an array of them,
+# 4 pi mu omega R^2 / porosity, on one rank and on two
+cat >wheel.yaml <<'YAML'
+units: none
+box: {lower: [0, 0, 0], upper: [1, 1, 0], periodic: [true, true, false], dimension: 2}
+contact: {law: hooke}
+materials: [{name: disc, density: 1}]
+material_pairs: [{k_n: 1000, restitution: 0.5, friction: 0.2}]
+particles: {from: single, position: [0.5, 0.5, 0], radius: 0.2, group: wheel}
+groups: [{name: wheel, motion: moving, omega: [0, 0, 1]}]
+fluid: {spacing: 0.03125, density: 1, viscosity: 1, equations: stokes, time: steady, solver: {tolerance: 1e-6}}
+step: {count: 1}
+observables: {every: 1, list: [{name: drag/wheel}]}
+YAML
+wheel() { # RANKS THREADS FLAG...
+    local ranks=$1 threads=$2
+    shift 2
+    rm -rf wheel
+    run_scene "$ranks" wheel.yaml wheel --set threads="$threads" "$@" && within "$(last_of wheel drag_wheel_torque_z)" -0.574899 0.003
+}
+check "a steady flow around a grain that spins" wheel 1 1
+check "on two ranks" wheel 2 2
+check "a flow in time around it" wheel 1 1 --set fluid='{spacing: 0.03125, density: 1, viscosity: 1}' --set step='{dt: 0.005, count: 60}' --set observables.every=60
+check "a grain that spins and moves is no steady flow" scene_refused 'particles.sources[0].group|only spin' wheel.yaml --set 'groups[0].velocity=[0.1, 0, 0]'
+sed '/^contact/d; /^material/d; s/radius: 0.2/&, density: 1/' wheel.yaml >smooth.yaml
+check "a spin without friction" scene_refused "group 'wheel' has a spin|friction" smooth.yaml
 
 # A frozen bed with contacts, gravity and walls: the flow and its drag are the same on other ranks
 cat >bed.yaml <<'YAML'
@@ -450,6 +496,12 @@ too_fast() {
     [ $? = 3 ] && grep -q 'spacings in step .*close pockets of fluid between them' said || { cat said; return 1; }
 }
 check "a flow that grains make too fast" too_fast
+# the other ending: a solver that diverges, here as its bound says so at once
+diverged() {
+    "$scree" run pile.yaml -o diverged --quiet --set threads=1 --petsc '-fluid_p_ksp_divtol 1e-3' >/dev/null 2>said
+    [ $? = 3 ] && grep -q 'did not converge: .*DIVERGED_DTOL.*(step .*close pockets of fluid between them' said || { cat said; return 1; }
+}
+check "a solver that diverges where grains move names pockets, too" diverged
 # One disc of a fiftieth of the fluid's density: it rises the same way in long and short steps of the fluid
 light() {
     local every

@@ -110,6 +110,29 @@ charged_on() { # RANKS THREADS FLAG...
 }
 check "an electrolyte on 2 ranks x 2 threads" charged_on 2 2
 check "an electrolyte on 4 ranks, hgrid" charged_on 4 1 --set index=hgrid
+# An insulating disc in an array, 0.4 of the plane, at a place on the lattice where counting is bad: mean field times porosity, by Rayleigh's series 0.42535
+cat >array.yaml <<'YAML'
+units: none
+box: {lower: [0, 0, 0], upper: [1, 1, 0], periodic: [true, true, false], dimension: 2}
+particles: {from: single, position: [0.503, 0.521, 0], radius: 0.3568248, density: 1, group: bed}
+groups: [{name: bed, motion: frozen}]
+fluid:
+  spacing: 0.03125
+  density: 1
+  viscosity: 1
+  equations: stokes
+  time: steady
+  electrolyte: {permittivity: 2, debye_length: 0.2, thermal_voltage: 0.5, field: [1, 0, 0], surfaces: [{group: bed, zeta: 0.1}]}
+step: {count: 1}
+output: {checkpoint: {at_end: false}, dump: {every: 1, fields: [id, electric_field]}}
+YAML
+insulated() {
+    rm -rf array
+    run_scene 1 array.yaml array --set threads=1 && awk '/^ITEM: ATOMS/ { sum = count = 0; for (k = 3; k <= NF; k++) at[$k] = k - 2; next } /^ITEM/ || NF < 4 { next }
+        $at["efieldx"] != 0 { sum += $at["efieldx"]; count++ }
+        END { e = 0.6 * sum / count; printf "  %d particles, %.5f\n", count, e; exit !(count > 500 && e > 0.42535 * 0.98 && e < 0.42535 * 1.02) }' array/dump.lammpstrj
+}
+check "a field through an array of insulating discs" insulated
 check "a surface with potential and charge" scene_refused 'fluid.electrolyte.surfaces[0]|one of zeta and charge, not both' ions.yaml --set 'fluid.electrolyte.surfaces=[{wall: floor, zeta: 1, charge: 1}]'
 check "a charged surface that is none" scene_refused 'fluid.electrolyte.surfaces[0]|one of wall, group and side' ions.yaml --set 'fluid.electrolyte.surfaces=[{zeta: 1}]'
 grep -v debye_length ions.yaml >uncertain.yaml

@@ -30,7 +30,7 @@ stops() { # DIR WORDS FLAG...: exit status 3, one message with the words, a chec
     done
     "$scree" info "$dir"/checkpoint-*-stopped.h5 | grep -q whole
 }
-says() { "$scree" check scene.yaml "${@:2}" >said 2>&1; grep -q "$1" said || { cat said; return 1; }; }
+says() { "$scree" check --all scene.yaml "${@:2}" >said 2>&1; grep -q "$1" said || { cat said; return 1; }; }
 
 for ranks in 1 2; do
     echo "== $ranks ranks"
@@ -93,6 +93,50 @@ check 'and says so at its end' ends 'would stop this run.*guards.speed, guards.o
     --set step.force=true --set material_pairs[0].k_n=0.1
 check 'and nothing where there is nothing' bash -c "$scree"' check scene.yaml >said 2>&1 && ! grep -q would said'
 
+# A boulder squeezes a light grain against the floor, without losses: two springs in a row
+cat >squeeze.yaml <<'EOS'
+units: none
+box: {lower: [0, 0, 0], upper: [60, 60, 60]}
+duration: 12
+contact: {law: hertz, tangential: none}
+materials: [{name: soft, density: 1, young: 1000, poisson: 0.3}, {name: hard, density: 1, young: 1000, poisson: 0.3}]
+material_pairs: [{restitution: 1}]
+walls: [{name: floor, shape: plane, point: [0, 0, 0], normal: [0, 0, 1], material: soft}]
+particles:
+  sources:
+    - {from: single, position: [30, 30, 1], radius: 1, material: soft, density: 0.1}
+    - {from: single, position: [30, 30, 12.0001], radius: 10, velocity: [0, 0, -0.1], material: hard}
+guards: {overlap_bound: 0.9}
+observables: {every: 1, list: [{name: overlap_max}]}
+EOS
+squeezes() { # DIR LEAST FLAG...: the overlap is at most that foretold (but for the grain's own mass), and LEAST of it at least
+    local foretold
+    "$scree" check --all squeeze.yaml "${@:3}" >checked || { cat checked; return 1; }
+    foretold=$(sed -n 's/.* under the heaviest, on a support, by up to \([-0-9.e+]*\).*/\1/p' checked)
+    run_scene 1 squeeze.yaml "$1" "${@:3}" || return 1
+    awk -F, -v foretold="$foretold" -v least="$2" 'NR > 1 && $NF > most { most = $NF }
+        END { print "  " most " of " foretold " foretold"; exit !(most <= 1.005 * foretold && most >= least * foretold) }' "$1/observables.csv"
+}
+linear=(--set contact.law=hooke --set materials[0].young=~ --set materials[0].poisson=~ --set materials[1].young=~ --set materials[1].poisson=~)
+check 'check foresees how far a boulder squeezes a grain' squeezes alike 0.8
+check 'between contacts of other stiffness' squeezes stiff 0.99 --set materials[0].young=10000
+check 'the other way round, too' squeezes stiffer 0.8 --set materials[1].young=10000
+check 'with springs' squeezes springs 0.99 "${linear[@]}" --set 'material_pairs=[{restitution: 1, k_n: 10000}, {between: [soft, hard], restitution: 1, k_n: 2000}]'
+remedy() { # the modulus that the warning names keeps the overlap foretold below the bound, at the time step that it names
+    local factor dt
+    "$scree" check --all squeeze.yaml --set guards.overlap_bound=0.1 >checked || { cat checked; return 1; }
+    set -- $(sed -n "s/^warning: guards.overlap: .* young of 'soft' times \([0-9.e+]*\) keeps .* time step of \([0-9.]*\) of this one; times .*/\1 \2/p" checked)
+    [ $# = 2 ] || { echo '  no remedy:'; cat checked; return 1; }
+    factor=$1 dt=$2
+    "$scree" check --all squeeze.yaml --set guards.overlap_bound=0.101 --set materials[0].young="$(awk "BEGIN { print 1000 * $factor }")" \
+        --set materials[1].young="$(awk "BEGIN { print 1000 * $factor }")" >stiffened || return 1
+    ! grep -q '^warning' stiffened || { cat stiffened; return 1; }
+    set -- $(sed -n 's/^  chosen *\([0-9.e-]*\) .*/\1/p' checked) $(sed -n 's/^  chosen *\([0-9.e-]*\) .*/\1/p' stiffened)
+    within "$(awk "BEGIN { print $2 / $1 }")" "$dt" 0.02
+}
+check 'and the warning names a remedy that holds, and its price' remedy
+check 'without a support nothing is squeezed' bash -c "$scree"' check squeeze.yaml --set "walls=[]" >said && ! grep -q "under the heaviest" said'
+
 # Where things are
 printf 'solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 2 0\nendloop\nendfacet\nendsolid\n' >far.stl
 meshes='walls=[{name: floor, shape: plane, point: [0, 0, 0.5], normal: [0, 0, 1]}, {name: far, shape: mesh, file: far.stl, offset: [20, 0, 0]},
@@ -103,7 +147,7 @@ check 'where a mesh is, outside' says "mesh 'far'  *20 \.\.\. 21  *0 \.\.\. 2  *
 check 'or inside' says "mesh 'near'  *0 \.\.\. 1  *0 \.\.\. 2  *0 \.\.\. 0 *$" --set "$meshes"
 check 'and the other walls' says "cylinder 'pipe'  *1 \.\.\. 9  *-inf \.\.\. inf  *1 \.\.\. 9 *$" --set "$meshes"
 spread() {
-    on 2 "$scree" check scene.yaml --set 'particles.sources[0].position=[12, 5, 5]' >said 2>&1
+    on 2 "$scree" check --all scene.yaml --set 'particles.sources[0].position=[12, 5, 5]' >said 2>&1
     grep -q 'particles  *4\.5 \.\.\. 13  *4 \.\.\. 6 .*NOTE: 1 of them' said || { cat said; return 1; }
 }
 check 'on two ranks, too' spread
@@ -159,8 +203,52 @@ thrown() { # THREADS
     on 1 "$scree" run thrown.yaml -o thrown$1 --quiet --set threads="$1" >said 2>&1
     [ $? = 3 ] && holds said 'guards.nan: position or velocity of particle 1 at' && holds said 'at step 1, '
 }
+spun() { # turned by order beyond what a number holds
+    on 1 "$scree" run thrown.yaml -o spun --overwrite --quiet --set 'groups[0].velocity=[0, 0, 0]' --set 'groups[0].omega=[1.5e308, 1.5e308, 0]' \
+        --set contact.tangential=history >said 2>&1
+    [ $? = 3 ] || { cat said; return 1; }
+    holds said 'guards.nan: angular velocity of particle 1 at' && holds said 'at step 1, '
+}
 check 'a speed that is no number shows at once, whoever moves after it' thrown 1
 check 'and on whatever thread' thrown 2
+check 'a spin that is no number stops the run, too' spun
+
+# A law that gives no number: its force is no number either, in every order of the step and on every layout
+cat >none.c <<'EOF'
+#include <scree_law.h>
+static inline struct scree_law_springs springs(struct scree_law_contact c) {
+    double force = c.k_n * c.overlap / 0.0 * 0.0;
+    return (struct scree_law_springs){
+        .force = force, .stiffness = c.k_n, .tangent = c.k_n, .tangential = c.k_t, .contact = 1.0, .energy = force};
+}
+SCREE_LAW(springs, .name = "none")
+EOF
+none() { # RANKS FLAG...
+    on "$1" "$scree" run scene.yaml -o none --overwrite --quiet --set 'contact.law={file: none.c}' "${@:2}" >said 2>&1
+    [ $? = 3 ] && holds said 'guards.nan: position or velocity of particle 71 at' && holds said 'is not finite at step 127, ' &&
+        "$scree" info none/checkpoint-*-stopped.h5 | grep -q whole
+}
+check 'a law that gives no number stops the run' none 1
+check 'and friction does not hide it' none 1 --set contact.tangential=history
+check 'nor does the plain order' none 1 --set step.fused=false
+check 'nor does the reproducible mode' none 1 --set reproducible=true
+check 'nor do parts of a law' none 1 --set contact.cohesion=sjkr --set 'material_pairs[0].cohesion_density=1'
+check 'nor do ranks' none 2
+last() { # what the last step gives is seen, though nobody moves by it
+    on "$1" "$scree" run scene.yaml -o none --overwrite --quiet --set 'contact.law={file: none.c}' --set step.count=126 >said 2>&1
+    [ $? = 3 ] || { cat said; return 1; }
+    holds said 'guards.nan: force or torque of particle 71 at'
+}
+check 'nor does the end of the run' last 1
+check 'on ranks, too' last 2
+hot() { # a temperature beyond what a number holds
+    on 1 "$scree" run scene.yaml -o hot --overwrite --quiet --set 'particles.sources[0].position=[3, 5, 0.9]' --set 'particles.sources[0].velocity=[0, 0, 0]' \
+        --set 'heat={temperature: 300, materials: [{conductivity: 1, capacity: 1}], walls: [{wall: floor, flux: 1.7e308}]}' "$@" >said 2>&1
+    [ $? = 3 ] || { cat said; return 1; }
+    holds said 'guards.nan: the temperature of particle 71 is not finite at step'
+}
+check 'a temperature that is no number stops the run' hot
+check 'in plain order, too' hot --set step.fused=false
 
 # Crossings of a periodic box are counted in 32 bits; a counter that is full ends the run, also where guards are off
 printf 'title\n\n1 atoms\n1 atom types\n0 4 xlo xhi\n0 4 ylo yhi\n0 4 zlo zhi\n\nAtoms # sphere\n\n7 1 1 1 3.9 2 2 2147483647 0 0\n' >full.data

@@ -123,6 +123,68 @@ exponential() {
 }
 check 'one grain: exponential, of first order in the step' exponential
 
+# A wall whose temperature rises for a time unit from 300 to 350 and stays, by a table, and in the same way by stages: a grain of the time
+# constant s = m c / H that begins at T0 follows T(1) = 300 + 50 (1 - s (1 - e)) + (T0 - 300) e, T(2) = 350 + (T(1) - 350) e with e = exp(-1 / s)
+printf '# t T\n-1 300\n0 300\n1 350\n' >oven.txt
+oven() { # STEP COUNT RANKS SETTING...: the difference after two time units
+    local count=$2
+    rm -rf oven && run_scene "$3" chain.yaml oven --set step.dt="$1" --set step.count="$count" --set output.dump.every="$count" --set observables.every="$count" \
+        --set particles.sources='[{from: single, position: [0.5, 0.5, 0.198], radius: 0.2, group: bed, temperature: 320}]' "${@:4}" && tail -n 1 oven/dump.lammpstrj
+}
+by_table() { # RANKS
+    local coarse fine
+    coarse=$(oven 0.01 200 "$1" --set 'heat.walls=[{wall: hot, table: oven.txt}]') && fine=$(oven 0.005 400 "$1" --set 'heat.walls=[{wall: hot, table: oven.txt}]') &&
+        echo "$coarse $fine" | awk '{ s = 2 * 4 / 3 * atan2(0, -1) * 0.008 * 1.5 / (1.4 * sqrt(0.2 * 0.002)); e = exp(-1 / s)
+            t = 300 + 50 * (1 - s * (1 - e)) + 20 * e; t = 350 + (t - 350) * e; a = $3 - t; b = $7 - t; printf "  errors %g, %g\n", a, b
+            exit !(a < 0.2 && a > -0.2 && 2 * b - a < 0.0005 && 2 * b - a > -0.0005) }'
+}
+check 'the temperature of a wall by a table, the first temperature by the source' by_table 1
+check 'the same on 2 ranks' by_table 2
+cat >ramp.yaml <<'YAML'
+stages:
+  - {name: hot, duration: 1}
+  - {name: cold, duration: 1, set: {"heat.walls[0].temperature": 280}}
+YAML
+by_stages() { # two stages of constant temperatures, 400 and 280
+    { grep -v '^step:' chain.yaml && cat ramp.yaml && echo 'step: {dt: 0.002}'; } >staged.yaml
+    rm -rf staged && run_scene 1 staged.yaml staged --set output.dump.every=1000 --set observables.every=1000 \
+        --set particles.sources='[{from: single, position: [0.5, 0.5, 0.198], radius: 0.2, group: bed}]' && tail -n 1 staged/dump.lammpstrj |
+        awk '{ s = 2 * 4 / 3 * atan2(0, -1) * 0.008 * 1.5 / (1.4 * sqrt(0.2 * 0.002)); e = exp(-1 / s); t = 400 - 100 * e; t = 280 + (t - 280) * e
+            printf "  %g, exact %g\n", $3, t; exit !($3 - t < 0.1 && t - $3 < 0.1) }'
+}
+check 'the temperature of a wall by stages' by_stages
+by_resume() { # a resume in the middle of the table gives the same bits
+    local set=(--set step.count=200 --set output.dump.every=200 --set observables.every=200 --set output.checkpoint.every=100 --set step.dt=0.004 --set 'heat.walls=[{wall: hot, table: oven.txt}]')
+    rm -rf whole rest && run_scene 1 chain.yaml whole "${set[@]}" && run_scene 2 chain.yaml rest "${set[@]}" --resume whole/checkpoint-100.h5 &&
+        tail -n 5 whole/dump.lammpstrj | cmp - <(tail -n 5 rest/dump.lammpstrj)
+}
+check 'a resume within the table' by_resume
+sources() { # grains of two sources, inserted ones and the members of a body, with temperatures of their own; nothing touches
+    cat >sources.yaml <<'YAML'
+units: none
+box: {lower: [0, 0, 0], upper: [9, 9, 9], periodic: true}
+step: {count: 101, dt: 0.01}
+contact: {law: hooke}
+materials: [{name: a, density: 200}, {name: b, density: 200}]
+material_pairs: [{k_n: 10, restitution: 0.9}]
+particles:
+  sources:
+    - {from: single, position: [1, 1, 1], radius: 0.2, material: a, temperature: 350}
+    - {from: single, position: [3, 1, 1], radius: 0.2, material: a}
+    - {from: single, position: [5, 1, 1], radius: 0.2, material: b, temperature: 333}
+bodies: {clumps: [{material: b, spheres: [{centre: [-1, 0, 0], radius: 1}, {centre: [1, 0, 0], radius: 1}]}]}
+heat: {temperature: 300, materials: [{conductivity: 1, capacity: 1}]}
+observables: {every: 101, list: [{name: temperature}]}
+output: {dump: {every: 101, fields: [id, kind, temperature]}}
+YAML
+    rm -rf sources inserted && run_scene "$1" sources.yaml sources && tail -n 5 sources/dump.lammpstrj | sort -n | awk '$4 == 0 { t[n++] = $3 } END { exit !(n == 4 && t[0] == 350 && t[1] == 300 && t[2] == 333 && t[3] == 333) }' || return 1
+    run_scene "$1" sources.yaml inserted --set 'bodies=~' --set particles.sources='[{from: single, position: [1, 1, 1], radius: 0.2, material: a, temperature: 350}]' \
+        --set 'insertions=[{material: a, rate: 1, sizes: 0.1, temperature: 280, region: {shape: box, lower: [4, 4, 4], upper: [8, 8, 8]}}]' --set 'output.dump.fields=[id, temperature]' &&
+        tail -n 2 inserted/dump.lammpstrj | sort -n | awk '{ t[NR] = $3 } END { exit !(t[1] == 350 && t[2] == 280) }'
+}
+check 'temperatures of sources, of insertions and of bodies' sources 1
+check 'the same on 2 ranks' sources 2
+
 # Soft grains: the contact radius over the cube root of softening
 softened() {
     run_scene 1 chain.yaml soft --set heat.softening=1000 --set step.count=1 --set output.dump.every=1 --set observables.every=1 &&
@@ -199,12 +261,75 @@ each_wall() { # the power of each wall in the steady chain
             printf "  %s\n", $0; exit !($2 / P > 0.999999 && $2 / P < 1.000001 && $3 / P < -0.999999 && $3 / P > -1.000001 && $4 - $2 - $3 < 1e-12 && $4 - $2 - $3 > -1e-12) }'
 }
 check 'power of each wall' each_wall
+# Contacts that are pulled apart, from an overlap to a neck across a gap: the law's contact radius, by hand for each law
+cat >neck.yaml <<'EOS'
+units: none
+box: {lower: [0, 0, 0], upper: [8, 8, 8]}
+step: {dt: 0.001, count: 1000, force: true}
+contact: {law: hertz, tangential: none, cohesion: {law: jkr}}
+materials: [{name: a, density: 1, young: 1000, poisson: 0}]
+material_pairs: [{restitution: 1, surface_energy: 0.5}]
+walls: [{name: hot, shape: plane, point: [0, 0, 0], normal: [0, 0, 1]}]
+groups:
+  - {name: one, motion: moving, velocity: [0, 0, 0.035]}
+  - {name: two, motion: moving, velocity: [0, 0, 0.07]}
+particles:
+  sources:
+    - {from: single, position: [4, 4, 0.98], radius: 1, group: one}
+    - {from: single, position: [4, 4, 2.96], radius: 1, group: two}
+heat: {temperature: 300, materials: [{conductivity: 10, capacity: 1}], walls: [{wall: hot, temperature: 400}]}
+observables: {every: 100, list: [{name: sum, label: one, of: "temperature*(id==1)"}, {name: sum, label: two, of: "temperature*(id==2)"}]}
+EOS
+cat >neck.awk <<'EOS'
+function sticky(d, r,   s, low, high, a, k) { # JKR: the largest a with a^2/R - s sqrt(a) = d
+    s = 2 * sqrt(pi * 0.5 / modulus); low = (s * r / 4) ^ (2 / 3); high = 1
+    for (k = 0; k < 60; k++) { a = (low + high) / 2; if (a * a / r - s * sqrt(a) < d) low = a; else high = a }
+    return a
+}
+function flowed(d, r,   yield, a, force, flat, left) { # Thornton: unloading with the flattened radius from the largest overlap, 0.02
+    yield = pi * 20 * r / (2 * modulus); a = sqrt(r * 0.02)
+    force = 4 / 3 * modulus * yield ^ 3 / r + pi * 20 * (a * a - yield * yield)
+    flat = 4 / 3 * modulus * a ^ 3 / force; left = 0.02 - a * a / flat
+    return d > left ? sqrt(flat * (d - left)) : 0
+}
+function radius(d, r) { return law == "jkr" ? sticky(d, r) : law == "thornton" ? flowed(d, r) : d > 0 ? sqrt(r * d) : 0 }
+function gas(r, d,   g) { g = law == "jkr" || d > 0 ? 0.001 : -d > 0.001 ? -d : 0.001; return conductivity > 0 && g < 0.05 ? 2 * pi * conductivity * r * log(0.05 / g) : 0 }
+BEGIN {
+    pi = 3.14159265358979; modulus = 500; one = two = 300
+    for (n = 0; n < 1000; n++) {
+        d = 0.02 - 0.035 * 0.001 * n
+        w = (20 * radius(d, 1) + gas(1, d)) * (400 - one); p = (20 * radius(d, 0.5) + gas(0.5, d)) * (one - two)
+        one += 0.001 * (w - p) / (4 / 3 * pi); two += 0.001 * p / (4 / 3 * pi)
+    }
+    printf "%.12g %.12g\n", one, two
+}
+EOS
+necks() { # LAW CONDUCTIVITY RANKS FLAG...: both temperatures at the end
+    run_scene "$3" neck.yaml neck --overwrite "${@:4}" || return 1
+    set -- $(awk -v law="$1" -v conductivity="$2" -f neck.awk) $(awk -F, 'END { print $2, $3 }' neck/observables.csv)
+    within "$3" "$1" 1e-7 && within "$4" "$2" 1e-7
+}
+plastic=(--set 'contact={law: thornton, tangential: none}' --set 'material_pairs=[{restitution: 1, yield_pressure: 20}]')
+check 'heat flows through a neck of JKR with its contact radius' necks jkr 0 1
+check 'on two ranks, too' necks jkr 0 2 --set newton=false
+check 'the gas around a neck is as that around contacts' necks jkr 0.3 1 --set 'heat.gas={conductivity: 0.3, distance: 0.05, roughness: 0.001}'
+check 'flattened surfaces' necks thornton 0 1 "${plastic[@]}"
+check 'Hertz with gas' necks hertz 0.3 1 --set 'contact={law: hertz, tangential: none}' --set 'material_pairs=[{restitution: 1}]' \
+    --set 'heat.gas={conductivity: 0.3, distance: 0.05, roughness: 0.001}'
+check 'DMT' necks hertz 0 1 --set 'contact={law: hertz, tangential: none, cohesion: {law: dmt}}'
+resumed_neck() { # within the neck: what a contact remembers goes on
+    run_scene 1 neck.yaml half --overwrite --set step.count=700 && run_scene 1 neck.yaml half --overwrite --resume last || return 1
+    set -- $(awk -v law=jkr -v conductivity=0 -f neck.awk) $(awk -F, 'END { print $2, $3 }' half/observables.csv)
+    within "$3" "$1" 1e-7 && within "$4" "$2" 1e-7
+}
+check 'after a resume, too' resumed_neck
+
 heated_drum() { SCREE=$scree "$top_srcdir/examples/heated_drum/check" "$PWD/heated" 1500 | sed 's/^/  /'; [ "${PIPESTATUS[0]}" -eq 0 ]; }
 check 'examples/heated_drum: the balance of heat, step by step' heated_drum
 absent() {
     run_scene 1 gas.yaml without --set threads=1 --set 'heat=~' --set 'observables.list=[{name: energy_kinetic}]' \
         --set 'output.dump.fields=[id, position]' && rows without | cut -d ' ' -f 1-5 >cold && cut -d ' ' -f 1-5 one.rows | cmp - cold &&
-        ! "$scree" check gas.yaml --set 'heat=~' --set 'observables.list=[{name: energy_kinetic}]' --set 'output.dump.fields=[id, position]' |
+        ! "$scree" check --all gas.yaml --set 'heat=~' --set 'observables.list=[{name: energy_kinetic}]' --set 'output.dump.fields=[id, position]' |
         grep -E '^  (temperature|heat_flow) +8'
 }
 check 'absent unless asked for, and no grain moves otherwise' absent
@@ -212,13 +337,19 @@ check 'absent unless asked for, and no grain moves otherwise' absent
 refused() { # TEXT SCENE SETTING...
     local text=$1 scene=$2
     shift 2
-    ! "$scree" check "$scene" "$@" >told 2>&1 && grep -qF -- "$text" told || { cat told; return 1; }
+    ! "$scree" check --all "$scene" "$@" >told 2>&1 && grep -qF -- "$text" told || { cat told; return 1; }
 }
 check 'a step above the limit' refused 'above the stable one' chain.yaml --set step.dt=5
 check 'a material is missing' refused "material 'a' is missing" gas.yaml --set 'heat.materials=[{material: b, conductivity: 1, capacity: 1}]'
 check 'a material twice' refused 'a second entry for the same material' gas.yaml --set 'heat.materials=[{conductivity: 1, capacity: 1}, {conductivity: 1, capacity: 1}]'
-check 'neither temperature nor flux' refused 'needs one of temperature and flux' gas.yaml --set 'heat.walls=[{wall: heater}]'
+check 'neither temperature nor flux' refused 'needs one of temperature, flux and table' gas.yaml --set 'heat.walls=[{wall: heater}]'
 check 'a gas without distance' refused 'needs a roughness and a distance' gas.yaml --set 'heat.gas={conductivity: 0.1}'
+printf '0 300\n0 310\n' >flat.txt
+printf '0 300\n1 -3\n' >below.txt
+check 'a table whose time stands' refused 'flat.txt:2: time 0 does not increase' gas.yaml --set 'heat.walls=[{wall: heater, table: flat.txt}]'
+check 'a table below 0 K' refused 'below.txt:2: the temperature -3 is below 0 K' gas.yaml --set 'heat.walls=[{wall: heater, table: below.txt}]'
+check 'no table' refused 'nowhere.txt' gas.yaml --set 'heat.walls=[{wall: heater, table: nowhere.txt}]'
+check 'a temperature without heat' refused 'particles.sources[0].temperature: needs the section heat' gas.yaml --set 'heat=~' --set 'particles.sources[0].temperature=300' --set 'observables.list=[]'
 check 'an unknown wall' refused 'heat.walls[0].wall' gas.yaml --set 'heat.walls=[{wall: nobody, temperature: 1}]'
 check 'kelvins' refused 'heat.temperature' gas.yaml --set units=si --set 'heat.temperature=20 kg'
 finish

@@ -8,12 +8,14 @@ EXTRA_DIST += tests/app/lammps/hertz.data tests/app/lammps/hertz0.dump.gz tests/
 dist_check_SCRIPTS += \
 	tests/app/ablate.sh \
 	tests/app/bad_input.sh \
+	tests/app/belt.sh \
 	tests/app/bodies.sh \
 	tests/app/cohesion.sh \
 	tests/app/density.sh \
 	tests/app/drag.sh \
 	tests/app/dust.sh \
 	tests/app/endless.sh \
+	tests/app/features.sh \
 	tests/app/fluid.sh \
 	tests/app/fluid_bodies.sh \
 	tests/app/fluid_scalars.sh \
@@ -22,8 +24,10 @@ dist_check_SCRIPTS += \
 	tests/app/hard.sh \
 	tests/app/bonds.sh \
 	tests/app/heat.sh \
+	tests/app/ids.sh \
 	tests/app/lammps.sh \
 	tests/app/layouts.sh \
+	tests/app/many.sh \
 	tests/app/needs.sh \
 	tests/app/observables.sh \
 	tests/app/pack.sh \

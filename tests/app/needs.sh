@@ -27,7 +27,7 @@ free=(--set 'groups=[]')
 needs() { # NAME FLAG...: what check says on two ranks, in NAME.txt
     local name=$1
     shift
-    on "${ranks:-1}" "$scree" check scene.yaml "$@" >"$name.txt" 2>&1 || { cat "$name.txt"; return 1; }
+    on "${ranks:-1}" "$scree" check --all scene.yaml "$@" >"$name.txt" 2>&1 || { cat "$name.txt"; return 1; }
 }
 stored() { sed -n 's/^  stored: \([0-9]*\) bytes.*/\1/p' "$1.txt"; }
 field() { grep -q "^  $2  *[0-9][0-9]* " "$1.txt"; }
@@ -109,7 +109,7 @@ flat() { # nothing along z
 }
 check 'in two dimensions nothing moves along z' flat
 leanest() { # position, velocity, radius, mass, force, id and class alone
-    "$scree" check flat.yaml >flat.txt && [ "$(sed -n '/^fields/,/stored/p' flat.txt | grep -c '^  [a-z_]*  *[0-9][0-9]* ')" = 7 ] && holds flat.txt 'history: none'
+    "$scree" check --all flat.yaml >flat.txt && [ "$(sed -n '/^fields/,/stored/p' flat.txt | grep -c '^  [a-z_]*  *[0-9][0-9]* ')" = 7 ] && holds flat.txt 'history: none'
 }
 check 'smooth discs of one material store seven fields' leanest
 finish

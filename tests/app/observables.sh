@@ -129,6 +129,31 @@ if grep -q 'define HAVE_MUPARSER 1' "$top_builddir/config.h"; then
 else
     check 'without muParser expressions are refused' scene_refused 'built without (Debian: libmuparser-dev)' words.yaml
 fi
+# Random velocities of sources add no momentum, whatever the masses, with grains that are fixed among them
+cat >shaken.yaml <<'EOS'
+units: none
+box: {lower: [0, 0, 0], upper: [8, 7, 6], periodic: true}
+step: {dt: 0.001, count: 50}
+contact: {law: hooke}
+materials: [{name: light, density: 1}, {name: heavy, density: 3}]
+material_pairs: [{restitution: 0.7, k_n: 500}]
+groups: [{name: fixed, motion: frozen, select: {region: {shape: box, lower: [0, 0, 0], upper: [2, 7, 6]}}}]
+particles:
+  sources:
+    - {from: random, count: 200, sizes: {law: uniform, min: 0.2, max: 0.4}, velocity_sigma: 1, material: light}
+    - {from: random, count: 100, sizes: {law: uniform, min: 0.1, max: 0.2}, velocity_sigma: 2, material: heavy, velocity: [0, 0, 0]}
+    - {from: single, position: [7, 6, 5], radius: 0.3, velocity_sigma: 1, material: heavy}
+observables: {every: 50, list: [{name: momentum}, {name: velocity, id: 301}, {name: energy_kinetic}]}
+EOS
+shaken() { # RANKS VELOCITY FLAG...: at the start the momentum is that of the single sphere, and of the velocity of the second source
+    run_scene "$1" shaken.yaml shaken --overwrite --set "particles.sources[1].velocity=[$2, 0, 0]" "${@:3}" || return 1
+    awk -F, -v speed="$2" 'NR == 2 { m = 3 * 4 * 3.14159265358979 / 3 * 0.027; off = ($2 - m * $5) / m; bad = speed == 0 ? off * off > 1e-20 : off < 1
+        bad += ($3 - m * $6) ^ 2 > 1e-20 || ($4 - m * $7) ^ 2 > 1e-20 || $5 * $5 < 1e-4 || $8 < 10
+        if (bad) print "  momentum " $2 " " $3 " " $4 ", of the single one " m * $5 " " m * $6 " " m * $7 ", energy " $8; exit bad }' shaken/observables.csv
+}
+check 'random velocities of a source add no momentum' shaken 1 0
+check 'also on ranks' shaken 3 0
+check 'a velocity of the source does' shaken 1 2
 check 'a plane that leans along a periodic direction' scene_refused 'leans along the periodic direction x; allowed: along it, or across it' \
     gas.yaml --set 'observables.planes[0].normal=[1, 1, 0]'
 check 'a grid of two numbers' scene_refused 'observables.grids[0].cells: has 2 numbers; needed: three' cube.yaml --set 'observables.grids[0].cells=[1, 3]'

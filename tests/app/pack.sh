@@ -39,7 +39,7 @@ particles: {file: b.h5, format: h5md, material: a}
 EOF
 # sides WORDS FLAG...: what brings images in this scene
 sides() {
-    "$scree" check packed.yaml "${@:2}" >said 2>&1 || { cat said; return 1; }
+    "$scree" check --all packed.yaml "${@:2}" >said 2>&1 || { cat said; return 1; }
     [ "$(grep -o 'a periodic direction: .*' said)" = "$1" ] || { cat said; return 1; }
 }
 check "a scene takes the periodic sides of the file" sides 'a periodic direction: x, y, z'

@@ -88,7 +88,7 @@ check '96 facets, nearly' keeps 96 5e-4
 check '48 facets, of 7.5 degrees, too' keeps 48 5e-4
 check '24 facets, of 15 degrees, to two per cent' keeps 24 0.02
 notes() { # FACETS FLAG...: what `scree check` says of the edges
-    "$scree" check "tube$1.yaml" "${@:2}" | grep "^NOTE: mesh 'tube' turns by"
+    "$scree" check --all "tube$1.yaml" "${@:2}" | grep "^NOTE: mesh 'tube' turns by"
 }
 noted() { notes 24 | grep -F 'turns by 15 degrees at edges' | grep -F 'more than 0.034 of its radius (expected: up to 0.1)' || { notes 24; return 1; }; }
 check 'of which scree check tells' noted
@@ -109,7 +109,7 @@ particles: {from: random, count: 60, sizes: 0.6, velocity_sigma: 3}
 output: {trajectory: {every: 50}}
 EOF
 check 'the scene runs' run_scene 1 smooth.yaml smooth
-"$scree" check smooth.yaml >needs.txt 2>&1
+"$scree" check --all smooth.yaml >needs.txt 2>&1
 "$scree" info smooth/trajectory.h5 >inside.txt 2>&1
 "$scree" info smooth/checkpoint-100.h5 >kept.txt 2>&1
 not_needed() {
@@ -228,7 +228,7 @@ EOF
 light light.yaml ''
 light heavy.yaml '    - {from: single, position: [30, 30, 30], radius: 1}'
 stable() {
-    "$scree" check "$1" | sed -n 's/^ *stable  *\([-0-9.e+]*\) .*/\1/p'
+    "$scree" check --all "$1" | sed -n 's/^ *stable  *\([-0-9.e+]*\) .*/\1/p'
 }
 no_longer() { # small dense spheres beside them give no leave for a longer step
     awk -v alone="$(stable light.yaml)" -v beside="$(stable heavy.yaml)" 'BEGIN {
@@ -240,14 +240,14 @@ check 'the lightest spheres of a material decide' no_longer
 # price FRACTION: the share of the steps, and the error of an impact in %, that the last check tells of at this part of the stable step
 price() { awk -v part="$1" '$1 == part && $NF == "%" { print $2, $3 } $1 == part && $NF == "studied" { print $2, "unknown" }' told; }
 price_of_step() { # the default, 0.15, against 0.9; 0.3 against 0.9; nothing beyond 0.9
-    "$scree" check light.yaml >told && [ "$(price 0.15)" = '1 0.21' ] && [ "$(price 0.5)" = '0.3 0.75' ] && [ "$(price 0.9)" = '0.17 1.5' ] || { cat told; return 1; }
-    "$scree" check light.yaml --set step.fraction=0.3 >told && [ "$(price 0.3)" = '1 0.5' ] && [ "$(price 0.5)" = '0.6 0.75' ] || { cat told; return 1; }
-    "$scree" check light.yaml --set step.fraction=0.9 >told && [ "$(price 0.9)" = '1 1.5' ] && [ "$(grep -c '%$' told)" = 1 ] || { cat told; return 1; }
+    "$scree" check --all light.yaml >told && [ "$(price 0.15)" = '1 0.21' ] && [ "$(price 0.5)" = '0.3 0.75' ] && [ "$(price 0.9)" = '0.17 1.5' ] || { cat told; return 1; }
+    "$scree" check --all light.yaml --set step.fraction=0.3 >told && [ "$(price 0.3)" = '1 0.5' ] && [ "$(price 0.5)" = '0.6 0.75' ] || { cat told; return 1; }
+    "$scree" check --all light.yaml --set step.fraction=0.9 >told && [ "$(price 0.9)" = '1 1.5' ] && [ "$(grep -c '%$' told)" = 1 ] || { cat told; return 1; }
 }
 check 'check says what the step costs' price_of_step
 price_of_cohesion() { # the larger of the law's error and the cohesion's; between the parts studied along a power of the step
-    "$scree" check light.yaml --set contact.cohesion=jkr --set 'material_pairs[0].surface_energy=1e-9' >told && [ "$(price 0.15)" = '1 0.75' ] && holds told "cohesion stronger than the study's has larger ones" || { cat told; return 1; }
-    "$scree" check light.yaml --set step.fraction=0.2 >told && [ "$(price 0.2)" = '1 0.3' ] || { cat told; return 1; }
+    "$scree" check --all light.yaml --set contact.cohesion=jkr --set 'material_pairs[0].surface_energy=1e-9' >told && [ "$(price 0.15)" = '1 0.75' ] && holds told "cohesion stronger than the study's has larger ones" || { cat told; return 1; }
+    "$scree" check --all light.yaml --set step.fraction=0.2 >told && [ "$(price 0.2)" = '1 0.3' ] || { cat told; return 1; }
 }
 check 'with cohesion, and between the steps of the study' price_of_cohesion
 studied() { # the study again, for the impacts that decide the figures of Hertz's law and of Hooke's
@@ -257,8 +257,8 @@ studied() { # the study again, for the impacts that decide the figures of Hertz'
         STEP_IMPACT=$name STEP_FRACTION_OUT=$out/study SCREE=$scree bash "$top_srcdir/examples/step-fraction.sh" impacts >study.tsv || return 1
         error=$(awk -F'\t' '{ print 100 * $4 }' study.tsv)
         case $law in
-        hooke) "$scree" check light.yaml --set contact.law=hooke --set 'materials=[{name: any, density: 1}]' --set 'material_pairs=[{restitution: 0.5, k_n: 1000}]' >told ;;
-        hertz) "$scree" check light.yaml >told ;;
+        hooke) "$scree" check --all light.yaml --set contact.law=hooke --set 'materials=[{name: any, density: 1}]' --set 'material_pairs=[{restitution: 0.5, k_n: 1000}]' >told ;;
+        hertz) "$scree" check --all light.yaml >told ;;
         esac
         within "$(price 0.15 | cut -d ' ' -f 2)" "$error" 0.02 || { cat told study.tsv; return 1; }
     done
@@ -414,17 +414,46 @@ placed() { # those that are there from the start, too
         [ "$(number placed/report.json particles)" = 60 ] && [ "$(column placed/observables.csv energy_elastic_normal)" = 0 ]
 }
 check 'particles placed at random are clear of walls' placed
-check 'the report tells that all are placed' holds clear2/report.json '{"name": "insertions[0]", "asked": 40, "placed": 40}'
+check 'the report tells that all are placed' holds clear2/report.json '{"name": "insertions[0]", "asked": 40, "placed": 40, "lost": 0}'
 crowded() {
     on 1 "$scree" run clear.yaml -o crowded --set 'insertions=[{name: rain, rate: 1e9, count: 400, sizes: 1 mm, attempts: 2}]' \
         >said 2>&1 || { cat said; return 1; }
     local placed
     placed=$(number crowded/report.json inserted)
     [ "$placed" -gt 0 ] && [ "$placed" -lt 360 ] &&
-        holds crowded/report.json "{\"name\": \"rain\", \"asked\": 400, \"placed\": $placed}" &&
+        holds crowded/report.json "{\"name\": \"rain\", \"asked\": 400, \"placed\": $placed, \"lost\": 0}" &&
         holds said "insertion rain: $placed of the 400 particles due are placed: NOTE"
 }
 check 'and that many are not' crowded
+cat >lid.yaml <<'YAML'
+units: none
+box: {lower: [0, 0, 0], upper: [10, 10, 10], leave: {all: delete}}
+step: {count: 200, dt: 1e-3}
+contact: {law: hooke}
+materials: [{name: glass, density: 1}]
+material_pairs: [{restitution: 0.5, friction: 0.3, k_n: 1000}]
+particles: {from: lattice, lattice: sc, spacing: 2, sizes: 0.4, count: 12, region: {shape: box, lower: [1, 1, 1], upper: [9, 9, 4]}}
+insertions: [{sizes: 0.2, rate: 500, region: {shape: box, lower: [0, 0, 6], upper: [10, 10, 14]}}]
+walls: [{name: lid, shape: plane, point: [0, 0, 5], normal: [0, 0, -1], motion: [{kind: servo, direction: [0, 0, 1], force: 5, speed_max: 1}]}]
+YAML
+lost() { # RANKS: what check foretells, what the run tells, and what it counts
+    local k lost
+    on "$1" "$scree" check --all lid.yaml --set walls=[] >said 2>&1 && holds said 'warning: insertions[0].region reaches out of the box at its upper z side, by up to 3.8' || return 1
+    on "$1" "$scree" run lid.yaml -o lost --overwrite --set walls=[] >said 2>&1 && holds said 'scree: warning: insertions[0].region reaches out' || return 1
+    lost=$(number lost/report.json insertions[0].lost)
+    [ "$lost" -gt 20 ] && holds said "particles due are placed: NOTE: $lost of them outside of the box" || return 1
+    [ "$(number lost/report.json deleted)" -gt 0 ]
+}
+check 'an insertion out of the box is told' lost 1
+check 'so on two ranks' lost 2
+pushed() { # WORDS|LACKS WORD SETTING...: of the end of the run
+    local which=$1 word=$2
+    shift 2
+    on 2 "$scree" run lid.yaml -o pushed --overwrite --set insertions=[] "$@" >said 2>&1 || { cat said; return 1; }
+    "$which" said "$word"
+}
+check 'a servo that meets nothing is told' pushed holds "nothing pushed on wall 'lid' in the last 200 steps. Its servo moved it by -0.19"
+check 'one that meets grains is not' pushed lacks 'nothing pushed' --set walls[0].point='[0, 0, 1.8]'
 
 echo '== conversions'
 shape() { # without title and image counts
@@ -484,4 +513,38 @@ ablated() {
 }
 check 'a row a variant, the same pairs in each' ablated
 
+
+# Discs: in two dimensions `density` may be a mass over the area of a disc, of materials, sources and insertions, also after a resume with another
+cat >discs.yaml <<'YAML'
+box: {dimension: 2, density: area, lower: [0, 0], upper: [1, 1]}
+step: {count: 100, dt: 10 us}
+contact: {law: hooke}
+materials: [{name: a, density: 5 kg/m2}]
+material_pairs: [{k_n: 1000, restitution: 0.9}]
+groups: [{name: some, motion: free, select: {radius_above: 25 cm}}]
+particles:
+  sources:
+    - {from: single, position: [0.2, 0.2], radius: 0.1}
+    - {from: single, position: [0.7, 0.3], radius: 0.3}
+    - {from: single, position: [0.2, 0.5], radius: 0.1, density: 8000 g/m2}
+insertions: [{sizes: 0.05, rate: 1 MHz, count: 1, density: 6, region: {shape: box, lower: [0.1, 0.8], upper: [0.9, 0.95]}}]
+output: {dump: {every: 100, fields: [id, mass]}, checkpoint: {every: 100}}
+YAML
+masses() { # DIR M1 M2 M3 M4: as densities of discs
+    tail -n 4 "$1/dump.lammpstrj" | sort -n | awk -v want="$2 $3 $4 $5" 'BEGIN { split(want, w, " "); split("0.1 0.3 0.1 0.05", r, " "); pi = atan2(0, -1) }
+        { d = $3 / (w[NR] * pi * r[NR]^2) - 1; if (d > 1e-12 || d < -1e-12) { bad = 1; print } } END { exit NR != 4 || bad }'
+}
+discs() { run_scene 1 discs.yaml discs && masses discs 5 5 8 6; }
+check 'discs: mass over area' discs
+discs_resumed() { run_scene 2 discs.yaml denser --resume discs/checkpoint-100.h5 --set step.count=200 --set 'materials[a].density=7' --set output.dump.every=200 && masses denser 7 7 8 6; }
+check 'discs: another density at a resume, on 2 ranks' discs_resumed
+refused_discs() { # TEXT COMMAND...
+    ! "$scree" "${@:2}" >told 2>&1 && grep -qF -- "$1" told || { cat told; return 1; }
+}
+printf 'box: {density: area, lower: [0, 0, 0], upper: [1, 1, 1]}\ncontact: {law: hooke}\nmaterials: [{name: a, density: 5}]\nmaterial_pairs: [{k_n: 1000, restitution: 0.9}]\nparticles: {from: single, position: [0.5, 0.5, 0.5], radius: 0.1}\nstep: {count: 1, dt: 10 us}\n' >balls.yaml
+check 'discs: not in three dimensions' refused_discs 'box.density: area needs box.dimension: 2' check balls.yaml
+check 'discs: the unit' refused_discs 'materials[0].density' check discs.yaml --set 'materials[a].density=5 kg/m3'
+check 'discs: what density means stays at a resume' refused_discs 'box.density must stay' run discs.yaml -o volume --resume discs/checkpoint-100.h5 --set box.density=volume --set 'materials[a].density=5' --set 'particles.sources[2].density=8' --set step.count=200
+echo_discs() { "$scree" check discs.yaml | grep -q 'density x pi r^2 (box.density: area)'; }
+check 'discs: check tells it' echo_discs
 finish

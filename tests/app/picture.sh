@@ -31,7 +31,7 @@ EOS
 check 'a run' run_scene 1 bed.yaml bed
 
 # draw FLAG...: the text for POV-Ray in bed.pov
-draw() { on 1 "$scree" picture bed -o bed.pov "$@" >said.txt 2>&1 || { cat said.txt; return 1; }; }
+draw() { on 1 "$scree" picture bed -o bed.pov --overwrite "$@" >said.txt 2>&1 || { cat said.txt; return 1; }; }
 colours() { sed -n 's/^sphere{.*texture{\(.*\)}}/\1/p' bed.pov | tr '\n' ' '; }
 drawn() { # WANTED FLAG...
     local wanted=$1
@@ -97,14 +97,39 @@ check 'message: view' says 'corner, front' bed -o a.png --view behind
 check 'message: cut' says 'conditions on centres' bed -o a.png --cut y=0
 check 'message: all cut' says 'takes all particles away' bed -o a.png --cut 'x<9'
 check 'message: frame' says 'has 3 frames' bed -o a.png --frame 3
+left() { # a run whose particles leave: the message names the last frame that has some
+    cat >leave.yaml <<'EOS'
+units: none
+box: {lower: [0, 0, 0], upper: [4, 4, 4], leave: delete}
+step: {count: 300, dt: 0.01}
+contact: {law: hooke}
+materials: [{name: a, density: 1}]
+material_pairs: [{k_n: 1, restitution: 0.9}]
+particles: {from: single, position: [2, 2, 2], radius: 0.1, velocity: [1, 0, 0]}
+output: {trajectory: {every: 100}}
+EOS
+    run_scene 1 leave.yaml leave && says 'frame 3 has no particles; the last one before it that has some: --frame [12]' leave -o a.png
+}
+check 'message: an empty frame' left
 check 'message: palette' says 'viridis' bed -o a.png --palette jet
-empty() { local status=0; PATH=/nowhere "$scree" picture bed -o a.png >said.txt 2>&1 || status=$?; [ $status = 2 ] && grep -q 'povray is not there' said.txt && [ ! -e a.png ] && [ ! -e a.png.pov ] || { cat said.txt; return 1; }; }
+empty() { local status=0; PATH=/nowhere "$scree" picture bed -o a.png >said.txt 2>&1 || status=$?; [ $status = 2 ] && grep -q 'povray is not there' said.txt && [ ! -e a.png ] && [ ! -e a.png.frames ] || { cat said.txt; return 1; }; }
 check 'message: POV-Ray is not there' empty
 if command -v povray >/dev/null; then
-    png() { on 1 "$scree" picture bed -o bed.png --size 64x48 && [ "$(od -An -tx1 -j16 -N8 bed.png | tr -d ' \n')" = 0000004000000030 ] && [ ! -e bed.png.pov ]; }
+    png() { on 1 "$scree" picture bed -o bed.png --size 64x48 && [ "$(od -An -tx1 -j16 -N8 bed.png | tr -d ' \n')" = 0000004000000030 ] && [ ! -e bed.png.frames ]; }
     check 'a picture of 64 x 48 pixels' png
+    # names [ENDING]: whatever letters a name has, other programs see plain ones
+    names() {
+        local name
+        for name in 'a b' "a'b\"c" 'a;b' 'a[1]' 'a,b=c' '$HOME`x`' '+Oc' '%d' $'a\nb' 'ä ü'; do
+            mkdir -p "in $name" && on 1 "$scree" picture bed -o "in $name/$name.$1" --size 64x48 && [ -s "in $name/$name.$1" ] &&
+                [ "$(find "in $name" | grep -c .)" = "$(find "in $name/$name.$1" "in $name" -maxdepth 0 | grep -c .)" ] ||
+                { echo "  not $name.$1"; return 1; }
+        done
+        on 1 "$scree" picture bed -o "-W9.$1" --size 64x48 && [ -s "./-W9.$1" ]
+    }
+    check 'a name may have any letters' names png
     film() { on 1 "$scree" picture bed -o bed.mp4 --size 64x48 && [ -s bed.mp4 ] && [ ! -e bed.mp4.frames ]; }
-    if command -v ffmpeg >/dev/null; then check 'a film' film; else skip 'film: no ffmpeg here'; fi
+    if command -v ffmpeg >/dev/null; then check 'a film' film && check 'of any name' names mp4; else skip 'film: no ffmpeg here'; fi
 else
     skip 'picture: no povray here'
 fi

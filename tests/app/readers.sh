@@ -87,7 +87,7 @@ walls:
 output: {walls: {every: 200}}
 observables: {every: 200, list: [{name: wall_force}]}
 EOF
-grep -q 'HAVE_ASSIMP 1' "$top_builddir/config.h" && sed -i 's/name: lid, .*/name: lid, shape: mesh, file: quad.obj, offset: [0, 0, 29.5 mm]}/' walls.yaml
+sed -i 's/name: lid, .*/name: lid, shape: mesh, file: quad.obj, offset: [0, 0, 29.5 mm]}/' walls.yaml
 walled() { # FOLDER RANKS SETTING...
     local folder=$1 ranks=$2
     shift 2

@@ -16,7 +16,7 @@ materials: [{name: glass, density: 1}]
 material_pairs: [{restitution: 0.5, k_n: 1000}]
 particles: {from: single, position: [0, 0, 2], radius: 0.5}
 step: {dt: 0.001}
-observables: {every: 10, list: [{name: centre}, {name: momentum}, {name: energy}]}
+observables: {every: 10, list: [{name: centre}, {name: momentum}, {name: energy}, {name: speed_max, label: <!--<script>}]}
 EOS
 check 'a run' run_scene 1 fall.yaml fall
 mkdir choice
@@ -29,11 +29,12 @@ stiffness,/ 10,0.003,1,nan,0,"stopped, by a guard"
 EOS
 printf '\211PNG' >fall/bed.png
 
-page() { on 1 "$scree" report "$1" -o "$1.html" && [ ! -e "$1.html.log" ] && [ ! -e "$1.html.scene" ]; }
+page() { on 1 "$scree" report "$1" -o "$1.html" --overwrite && [ ! -e "$1.html.log" ] && [ ! -e "$1.html.scene" ]; }
 check 'the page of a run' page fall
 check 'has the title of the scene' holds fall.html '<h1>a fall &amp; &lt;a rest&gt;</h1>'
 check 'has the effective scene' holds fall.html 'integrator: '
 check 'has the picture of the folder' holds fall.html 'data:image/png;base64,iVBORw=='
+check 'no name of the user stands raw' eval '[ "$(grep -c "<script" fall.html)" = 3 ] && ! grep -qF "<!--" fall.html'
 check 'has the licence of uPlot' holds fall.html 'MIT License'
 check 'asks for nothing from elsewhere' eval '! grep -Eq "(src|href)=.?http" fall.html'
 check 'the page of an ablation' page choice

@@ -215,4 +215,29 @@ condemned() {
 }
 check 'what a guard has condemned is no checkpoint; observables are whole' condemned 1
 check 'the same on two ranks' condemned 2
+# A folder that has the files of another scene, or other columns: nothing in it changes
+cat >guest.yaml <<'YAML'
+units: none
+box: {lower: [0, 0, 0], upper: [4, 4, 4]}
+step: {count: 8, dt: 0.001}
+contact: {law: hooke}
+materials: [{name: a, density: 1}]
+material_pairs: [{k_n: 1000, restitution: 0.9}]
+particles: {from: single, position: [2, 2, 2], radius: 0.5}
+observables: {every: 2, list: [{name: energy}]}
+output: {checkpoint: {every: 2, keep: 9}}
+YAML
+sums() { find host -type f -exec cksum {} + | sort; }
+untouched() { # WORDS FLAG...: a run into the folder is refused
+    local words=$1
+    shift
+    sums >before
+    ! run_scene 1 guest.yaml host --set step.count=10 "$@" >told && holds told "$words" && sums | diff before -
+}
+run_scene 1 guest.yaml guest && run_scene 1 guest.yaml host --set gravity='[0, 0, -1]'
+check "the folder of another scene" untouched 'host/checkpoint-8.h5: is of a run that began with another scene' --resume guest/checkpoint-4.h5 --overwrite
+check "the folder of another scene, without --overwrite" untouched 'is of a run that began with another scene' --resume guest/checkpoint-4.h5
+check "a folder with other columns" untouched 'host/observables.csv: has other columns' --resume host/checkpoint-4.h5 --overwrite \
+    --set gravity='[0, 0, -1]' --set 'observables.list=[{name: momentum}]'
+
 finish

@@ -64,6 +64,47 @@ rebuilt() {
     [ "$(number often/report.json rebuilds)" -gt "$(number seldom/report.json rebuilds)" ] && within "$a" "$b" 1e-6
 }
 
+# Places and velocities are of one image, that in the box, whenever a particle was wrapped last
+images() { # what a gas conserves, and the velocity relative to the mean flow, by expressions
+    run_scene 1 gas.yaml images --set skin=0.4 --set observables.every=1 --set 'observables.list=[{name: energy_fluctuation},
+        {name: sum, label: own, of: "0.5*mass*((vx+0.3*x-3*(y-3.5*1.0001^(1000*t)))^2+(vy-0.1*y)^2+(vz-0.2*z)^2)"}]' || return 1
+    awk -F, 'NR > 1 { off = $2 / $3 - 1; off = off < 0 ? -off : off; if (off > most) most = off }
+        END { print "  sum and energy_fluctuation differ by up to " most; exit !(NR > 300 && most < 1e-3) }' images/observables.csv || return 1
+    run_scene 1 gas.yaml conserved --set skin=0.4 --set box.strain=~ --set observables.every=1 --set 'observables.list=[
+        {name: sum, label: own, of: "mass*(vx-3*(y-3.5))"}, {name: sum, label: drift, of: "mass*vy"}]' || return 1
+    awk -F, 'NR == 2 { first = $2 } NR > 1 { off = $2 + 3 * $1 * $3 - first; off = off < 0 ? -off : off; if (off > most) most = off }
+        END { print "  the sum of m (v_x - rate y) leaves its line by up to " most; exit !(NR > 300 && most < 1e-9) }' conserved/observables.csv
+}
+unwrapped_late() { # the same numbers whether particles are wrapped in each step or seldom
+    local list='observables.list=[{name: momentum}, {name: energy_kinetic}, {name: speed_max}, {name: position, id: 7}, {name: velocity, id: 7},
+        {name: position, id: 30}, {name: velocity, id: 30}, {name: mean, of: "vx*y"}, {name: angular_momentum}, {name: energy_kinetic_mean, target: low}]'
+    local region='observables.regions=[{name: low, shape: box, lower: [-1, 0, -1], upper: [20, 1, 20]}]'
+    local row='observables.grids=[{name: smooth, cells: [2, 7, 1], kernel: gauss, width: 0.4}, {name: cells, cells: [1, 7, 2]}]'
+    run_scene 1 gas.yaml early --set reproducible=true --set step.rebuild_every=1 --set observables.every=20 --set "$list" --set "$region" --set "$row" &&
+        run_scene 1 gas.yaml late --set reproducible=true --set skin=0.4 --set observables.every=20 --set "$list" --set "$region" --set "$row" || return 1
+    local file
+    for file in observables grid-smooth grid-cells; do
+        paste -d, early/$file.csv late/$file.csv | awk -F, 'NR > 1 { for (k = 1; k <= NF / 2; k++) { size = $k < 0 ? -$k : $k; off = $k - $(k + NF / 2)
+            off = off < 0 ? -off : off; if (off > 1e-6 * (1 + size)) { print "  '$file': row " NR ", column " k ": " $k ", " $(k + NF / 2); exit 1 } } }' || return 1
+    done
+}
+dragged() { # a given fluid moves with the box: the same drag whenever a grain is wrapped
+    local fluid='drag={law: schiller_naumann, fluid: {density: 0.1, viscosity: 0.5, velocity: [1, 0, 0]}}'
+    run_scene 1 gas.yaml early --overwrite --set reproducible=true --set step.rebuild_every=1 --set observables.every=20 --set "$fluid" &&
+        run_scene 1 gas.yaml late --overwrite --set reproducible=true --set skin=0.4 --set observables.every=20 --set "$fluid" || return 1
+    paste -d, early/observables.csv late/observables.csv | awk -F, 'NR > 1 { for (k = 2; k <= NF / 2; k++) { off = $k - $(k + NF / 2)
+        if (off > 1e-6 || off < -1e-6) { print "  row " NR ", column " k ": " $k ", " $(k + NF / 2); exit 1 } } }'
+}
+even() { # the granular temperature of a sheared gas is the same in all cells, those at the faces included
+    run_scene 1 gas.yaml even --set box.strain=~ --set material_pairs='[{restitution: 1, k_n: 3000}]' --set contact.tangential=none --set skin=0.4 --set guards.overlap=off --set step.count=3000 \
+        --set box.shear.rate=1 --set 'observables={every: 20, grids: [{name: smooth, cells: [1, 7, 1], kernel: gauss, width: 0.4}, {name: cells, cells: [1, 7, 1]}]}' || return 1
+    for file in smooth cells; do
+        awk -F, 'NR > 1 && $1 > 0.5 { t[$3] += $11; v[$3] += $8 - ($3 - 3.5); n[$3]++ } END { for (k in t) mean += t[k] / n[k] / 7
+            for (k in t) { printf "  %g: temperature %.3g, velocity off by %.3g\n", k, t[k] / n[k], v[k] / n[k]; off = t[k] / n[k] / mean - 1; bad += off > 0.2 || off < -0.2 }; exit bad > 0 }' \
+            even/grid-$file.csv || return 1
+    done
+}
+
 resumed() { # the same bits on the same layout
     run_scene 2 press.yaml whole --set step.count=2000 --set output.checkpoint.every=1000 --set "$1" &&
         run_scene 2 press.yaml half --set step.count=1000 --set output.checkpoint.every=1000 --set "$1" &&
@@ -89,6 +130,14 @@ sides() { # each edge by itself, on three ranks
         printf 'stress_xx 1\nstress_yy 2\nstress_zz 1.5\n' | reaches sides
 }
 
+# slow DIMENSION DENSITY: grains that do not touch resist by nothing but the bound of the rate, inertia sqrt(pressure / density) / diameter
+slow() {
+    local flat='{lower: [0, 0, 0], upper: [4.32, 4.32, 4.32], periodic: true, stress: {pressure: 2, inertia: 0.05}}'
+    [ "$1" = 3 ] || flat='{dimension: 2, lower: [0, 0], upper: [4.32, 4.32], periodic: true, stress: {pressure: 2, inertia: 0.05}}'
+    run_scene 1 press.yaml slow --overwrite --set "box=$flat" --set step.dt=0.001 --set step.count=200 --set particles.lattice="$3" --set particles.jitter=0 &&
+        within "$(column slow box_edges_x)" "$(awk -v density="$2" 'BEGIN { printf "%.14g", 4.32 * (1 - 0.001 * 0.05 * sqrt(2 / density)) ^ 200 }')" 1e-9
+}
+
 held() { # a packing under a pressure and a shear stress: alone with the plane of the stress, and along the other of its two directions
     run_scene 1 press.yaml held --overwrite --set threads=1 --set box.stress.xz=-0.2 --set step.count=15000 &&
         printf 'pressure 2\nstress_xz -0.2\n' | reaches held || return 1
@@ -108,6 +157,10 @@ quick_cell() { "$top_srcdir/examples/shear_cell/run.sh" --quick cell >/dev/null 
 
 check 'edges and offset move at their rates' strained
 check 'dumps have the tilt, trajectories the edges' files
+check 'place and velocity of an observable are of one image' images
+check 'whenever particles are wrapped' unwrapped_late
+check 'and the drag of a given fluid' dragged
+check 'the faces of a sheared box are as any other cells' even
 seen() { # of the trajectory and of the checkpoint; the first has no povray to start
     on 1 "$scree" picture gas -o gas.pov && [ "$(grep -c '^sphere' gas.pov)" = 200 ] && on 1 "$scree" picture gas/checkpoint-400.h5 -o last.pov &&
         cmp gas.pov last.pov && on 1 "$scree" info gas/trajectory.h5 >said && grep -q '  sheared    the image above along y lies at [0-9.-]* along x' said
@@ -133,6 +186,8 @@ for case in '200 8000' '2000 12000' '20000 125000'; do
     check "a packing of stiffness ${case% *} comes to its pressure" pressed $case
 done
 check 'three stresses, three edges' sides
+check 'a stress moves the box no faster than its bound' slow 3 1.9 sc
+check 'in two dimensions, where the density is that of an area' slow 2 "$(awk 'BEGIN { printf "%.15g", 1.9 * 2 / 3 }')" square
 check 'a packing is held to a shear stress' held
 check 'a resume needs the box to go on moving' refused 2 'must stay' "$scree" run gas.yaml -o gas --overwrite --resume last --set box.shear='~' --set box.strain='~'
 check 'an edge that gets too short ends the run' refused 3 'edge has shrunk' \

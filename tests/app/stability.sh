@@ -169,21 +169,21 @@ deep() { # OVERLAP
     crystal fcc 4 "$1"
     at hertz 0.95 --set step.contacts=0 || { cat said; return 1; }
     awk -v g="$(growth)" 'BEGIN { print "  kinetic energy grew by " g; exit !(g < 100) }' || return 1
-    "$scree" check hertz.yaml --set box.upper="$upper" --set step.contacts=0 >said 2>&1
+    "$scree" check --all hertz.yaml --set box.upper="$upper" --set step.contacts=0 >said 2>&1
     holds said 'for the contacts that there are' && grep -q "overlaps at the start are up to $1" said || { cat said; return 1; }
     local now
     now=$(stable)
-    "$scree" check hertz.yaml --set box.upper="$upper" --set step.contacts=0 --set "step.dt=$(awk -v s="$now" 'BEGIN { print 1.01 * s }')" >said 2>&1
+    "$scree" check --all hertz.yaml --set box.upper="$upper" --set step.contacts=0 --set "step.dt=$(awk -v s="$now" 'BEGIN { print 1.01 * s }')" >said 2>&1
     [ $? = 2 ] && holds said 'of the contacts that there are at the start'
 }
 for overlap in 0.01 0.04 0.1; do
     check "hertz, overlaps of $overlap at the start: stable, and a longer step refused" deep $overlap
 done
 ranks_agree() { # the same step on any layout
-    "$scree" check hertz.yaml --set box.upper="$upper" --set threads=1 | sed -n '/^  stable/p;/^  chosen  /p' >one
+    "$scree" check --all hertz.yaml --set box.upper="$upper" --set threads=1 | sed -n '/^  stable/p;/^  chosen  /p' >one
     [ -s one ] || return 1
     for ranks in 2 3; do
-        on $ranks "$scree" check hertz.yaml --set box.upper="$upper" --set threads=2 --set newton=$([ $ranks = 2 ] && echo true || echo false) |
+        on $ranks "$scree" check --all hertz.yaml --set box.upper="$upper" --set threads=2 --set newton=$([ $ranks = 2 ] && echo true || echo false) |
             sed -n '/^  stable/p;/^  chosen  /p' >many
         cmp one many || { cat one many; return 1; }
     done
@@ -212,13 +212,13 @@ shortened() {
 }
 check 'a step that is a fraction is shortened as contacts stiffen' shortened
 warned() {
-    "$scree" check press.yaml >said 2>&1
+    "$scree" check --all press.yaml >said 2>&1
     run_scene 1 press.yaml warned --set "step.dt=$(awk -v s="$(stable)" 'BEGIN { print 0.46 * s }')" --set step.count=4000 || return 1
     holds said 'scree: warning: guards.step:'
 }
 check 'a given step is warned of' warned
 resumed() {
-    "$scree" check press.yaml >said 2>&1
+    "$scree" check --all press.yaml >said 2>&1
     local dt
     dt=$(awk -v s="$(stable)" 'BEGIN { print 0.5 * s }')
     "$scree" run press.yaml -o again --quiet --set step.dt="$dt" --set step.count=4100 --resume "$(ls warned/checkpoint-*.h5)" >said 2>&1

@@ -73,6 +73,26 @@ check 'a resume within the first stage has the same bits' same 300 1
 check 'a resume from the end of a stage has the same bits' same "$pour" 1
 check 'a resume within the second stage has the same bits' same $((pour - pour % 300 + 300)) 1
 check 'and on two ranks with another index' same "$open" 2 --set index=linkcell
+waits() { # from the end of the stage before, not from the start of the run
+    run_scene 1 silo.yaml wait --set 'stages=[{name: fall, duration: 0.2}, {name: wait, after: 0.1, every: 10, until: [{name: particles, at_least: 1}]}]' &&
+        [ "$(ends wait | tr '\n' ',')" = 'fall 100 duration,wait 151 conditions,' ] || { ends wait; return 1; }
+}
+check 'a stage looks at its conditions after a time of its own' waits
+brings() { # gravity and walls, beside the usual observables
+    run_scene 1 silo.yaml bring --set gravity='[0, 0, 0]' --set walls='~' --set observables.regions='~' --set observables.list='~' \
+        --set 'stages=[{name: still, duration: 0.02}, {name: fall, duration: 0.2, set: {gravity: [0, 0, -10], walls: [{name: ground, shape: plane, point: [0, 0, -11], normal: [0, 0, 1]}]}}]' &&
+        [ "$(awk -F, '{ print NF }' bring/observables.csv | sort -u | wc -l)" = 1 ] && holds bring/observables.csv energy_gravity && holds bring/observables.csv work_walls
+}
+check 'a stage brings gravity and walls: their columns are there from the start' brings
+never() { # a number that is none meets no condition
+    run_scene 1 silo.yaml never --set 'stages=[{name: wait, duration: 0.1, every: 10, until: [{name: mean, of: z, where: z > 1e6, at_least: -1e9}]}]' &&
+        [ "$(ends never)" = 'wait 50 duration, before the conditions held' ] || { ends never; return 1; }
+}
+if grep -q 'define HAVE_MUPARSER 1' "$top_builddir/config.h"; then
+    check 'a condition on what is not there' never
+else
+    skip 'a condition on an expression: no muParser'
+fi
 two_ranks() {
     run_scene 2 silo.yaml two --set index=linkcell && [ "$(ends two)" = "$(cat ends.txt)" ] &&
         checkpoint_lines "two/checkpoint-$push.h5" >lines.txt && checkpoint_lines "one/checkpoint-$push.h5" | diff - lines.txt >/dev/null
@@ -92,7 +112,7 @@ over() {
 }
 check 'a run whose stages are over has nothing to do' over
 shows() {
-    "$scree" check silo.yaml >said 2>&1 && holds said 'until energy_kinetic_mean <= 0.001 and count/above >= 40' && holds said 'sets {"walls[gate]": ~}'
+    "$scree" check --all silo.yaml >said 2>&1 && holds said 'until energy_kinetic_mean <= 0.001 and count/above >= 40' && holds said 'sets {"walls[gate]": ~}'
 }
 check 'scree check shows the stages' shows
 

@@ -67,18 +67,18 @@ frames_of() {
     "$scree" info "$1/trajectory.h5" | tail -n +2
 }
 
+# has_open PID: for wait_until
+has_open() { ls -l "/proc/$1/fd" | grep -q '/trajectory.h5$'; }
+
 # opened_by_others: MPI waits for ever after its open has failed on one rank; the signal of the timer is sent by hand
 opened_by_others() {
-    local rank ranks status k
+    local rank ranks status
     again 2
     with 2 open trajectory.h5 2 24 1 "$scree" run scene.yaml -o again --quiet --resume last &
     wait_for failed || return 1
     ranks=$(ranks_of $!)
     [ "$(wc -w <<<"$ranks")" = 2 ] || { echo "  not two ranks: $ranks"; return 1; }
-    for k in $(seq 300); do # until the first rank, which waits too, has the file open
-        ls -l "/proc/$(head -n 1 <<<"$ranks")/fd" | grep -q '/trajectory.h5$' && break
-        sleep 0.1
-    done
+    wait_until has_open "$(head -n 1 <<<"$ranks")" # the first rank waits, too
     for rank in $ranks; do
         kill -ALRM "$rank"
     done

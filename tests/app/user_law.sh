@@ -80,4 +80,14 @@ check 'no file' refused 'law_file: is missing' --set contact='{law: custom}'
 check 'parameters' refused 'the law stiffening takes 1' --set contact.law='{file: laws/stiffening.c}'
 compiler() { ! CC=/nowhere/cc "$scree" check own.yaml >told 2>&1 && holds told '/nowhere/cc does not compile it'; }
 check 'the compiler of CC' compiler
+named() { # a law in a file of any name, compiled by a compiler with flags
+    local name
+    for name in "a b'c\";\$x.c" '-o.c'; do
+        cp laws/hooke.c "./$name"
+        printf 'contact: {law: {file: "%s"}, rolling: spring}\n' "$(sed 's/["\\]/\\&/g' <<<"$name")" >law.part
+        { grep -v '^contact:' own.yaml; cat law.part; } >named.yaml
+        CC='cc -O1' "$scree" check named.yaml >told 2>&1 || { echo "  $name"; cat told; return 1; }
+    done
+}
+check 'and a law in a file of any name' named
 finish

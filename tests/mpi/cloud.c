@@ -5,6 +5,7 @@
 #include "core/memory.h"
 #include "core/random.h"
 #include "particles/fields.h"
+#include "pairs/classes_choose.h"
 
 #include <math.h>
 #include <string.h>

@@ -11,6 +11,7 @@
 #include "fixture.h"
 #include "particles/fields.h"
 
+#include <math.h>
 #include <omp.h>
 #include <string.h>
 
@@ -386,6 +387,50 @@ static void used_copies_travel(void **state) {
     team_finish(team);
 }
 
+/* The largest distance of a copy's place from the subdomain of this rank, as ghosts_around tells; 0 where none has a bound. */
+static double depth_of_copies(const struct fixture *fixture, const double lower[3]) {
+    double low[3], high[3], depth = 0;
+    ghosts_around(fixture->ghosts, &fixture->cloud.classes, low, high);
+    for (int d = 0; d < 3; d++)
+        depth = isfinite(low[d]) ? lower[d] - low[d] : depth;
+    return depth;
+}
+
+/* One particle of one rank lies outside by a known vector: copies reach farther by its length, if all ranks can have it. */
+static void outside_by_a_vector(void **state) {
+    static const double far[2] = {0.002, 0.4}; /* a little; more than a quarter of the reach */
+    struct team *team = *state;
+    for (int turn = 0; turn < 4; turn++) {
+        struct fixture fixture;
+        fixture_make(&fixture, team, SCENE_EQUAL + turn / 2 * BRICKS, PARTICLES);
+        fixture_rebuild(&fixture);
+        struct particles *particles = fixture.particles;
+        const struct size_classes *classes = &fixture.cloud.classes;
+        double lower[3], upper[3], square = 0;
+        domain_bounds(fixture.domain, team->comm.rank, lower, upper);
+        team_expect(team, !ghosts_let_stay(fixture.ghosts, particles, classes, false), "none was to stay");
+        double most = depth_of_copies(&fixture, lower),
+               vector[3] = {far[turn % 2], 1.5 * far[turn % 2], 3 * far[turn % 2]};
+        if (team->comm.rank == team->comm.size - 1 && particles->owned > 0)
+            for (int d = 0; d < 3; d++) {
+                double out = d == 1 ? lower[d] - vector[d] : upper[d] + vector[d];
+                square += fixture_wraps(&fixture, d) ? 0 : vector[d] * vector[d];
+                particles->state[0].x[d] = fixture_wraps(&fixture, d) ? particles->state[0].x[d] : out;
+            }
+        double all[3] = {sqrt(square), most, -domain_clearance(fixture.domain)};
+        comm_max(&team->comm, all, 3);
+        bool may = all[0] <= 0.25 * (all[1] - classes->radius_max[0]) && all[1] + 2 * all[0] < -all[2];
+        bool stays = ghosts_let_stay(fixture.ghosts, particles, classes, true);
+        team_expect(team, stays == (may || team->comm.size == 1), "turn %d: %d instead of %d", turn, stays,
+                    may);
+        double more = depth_of_copies(&fixture, lower) - most, expected = stays && most > 0 ? all[0] : 0;
+        team_expect(team, fabs(more - expected) <= 2e-6 * (expected + 1e-6), "turn %d: %g instead of %g",
+                    turn, more, expected);
+        fixture_free(&fixture);
+    }
+    team_finish(team);
+}
+
 static void counts(void **state) {
     struct team *team = *state;
     struct fixture fixture;
@@ -430,6 +475,7 @@ int main(int argc, char **argv) {
         cmocka_unit_test_prestate(sums_are_reproducible, &team),
         cmocka_unit_test_prestate(originals, &team),
         cmocka_unit_test_prestate(used_copies_travel, &team),
+        cmocka_unit_test_prestate(outside_by_a_vector, &team),
         cmocka_unit_test_prestate(counts, &team),
     };
     int failed = cmocka_run_group_tests(tests, NULL, NULL);

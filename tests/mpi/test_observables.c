@@ -200,7 +200,7 @@ static void what_is_unknown_is_refused(void **state) {
         {{.name = "count", .target = "left"}, "there are: right"},
         {{.name = "count", .target = "right/wood"}, "glass, steel"},
         {{.name = "momentum", .target = "right"}, "takes no target"},
-        {{.name = "contacts"}, "two columns"},
+        {{.name = "contacts"}, "would be called"},
         {{.name = "momentum", .label = "a_name_of_sixty-two_characters_that_the_component_makes_64_xxx"},
          "label that is shorter"},
     };

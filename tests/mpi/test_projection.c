@@ -15,6 +15,7 @@
 #include "fluid/steady.h"
 #include "particles/kinds.h"
 #include "team.h"
+#include "pairs/classes_choose.h"
 
 #include <math.h>
 #include <omp.h>

@@ -60,6 +60,7 @@ static struct report example(const struct comm *comm) {
     report.rebuild_bytes = 7700;
     report.memory_held = 770000;
     report.insertions = 2;
+    report.insertion = memory_allocate_zero(2, sizeof *report.insertion, "report");
     report.insertion[0] = (struct report_insertion){.name = "rain", .asked = 2000, .placed = 1800};
     report.insertion[1] = (struct report_insertion){.name = "hail", .asked = 2000, .placed = 1799};
     gather(&report, comm);
@@ -174,37 +175,38 @@ static void json_holds_all_keys(void **state) {
         char *text = read_text(path);
         const char *end = skip_value(text);
         team_expect(team, end && *skip_space(end) == '\0', "this is not JSON:\n%s", text);
-        static const char *const keys[] = {"\"steps\": 200,",
-                                           "\"particles\": 1000000,",
-                                           "\"ranks\": ",
-                                           "\"threads\": 3,",
-                                           "\"threads_working\": 3,",
-                                           "\"index\": \"hgrid\",",
-                                           "\"levels\": [",
-                                           "\"cells\": 5, \"particles\": 6",
-                                           "\"ghosts\": [10",
-                                           "\"bytes\": [0",
-                                           "\"messages\": [0",
-                                           "\"rebuild_messages\": 77,",
-                                           "\"rebuild_bytes\": 7700,",
-                                           "\"memory_held\": 770000,",
-                                           "\"pupcs\": ",
-                                           "\"imbalance\": ",
-                                           "{\"name\": \"rain\", \"asked\": 2000, \"placed\": 1800},",
-                                           "\"stages\": {",
-                                           "\"particle_steps_per_second\": 50000000,",
-                                           "\"pairs\": 123456789,",
-                                           "\"contacts\": ",
-                                           "\"rebuilds\": ",
-                                           "\"bytes_per_particle\": ",
-                                           "\"seed\": 18446744073709551615,",
-                                           "\"version\": \"",
-                                           "\"git_revision\": \"",
-                                           "\"compiler\": \"",
-                                           "\"flags\": \"",
-                                           "\"host\": \"",
-                                           "\"cell_size\": null",
-                                           "\"stopped\": \"a \\\"guard\\\"\\u000a\\\\\""};
+        static const char *const keys[] = {
+            "\"steps\": 200,",
+            "\"particles\": 1000000,",
+            "\"ranks\": ",
+            "\"threads\": 3,",
+            "\"threads_working\": 3,",
+            "\"index\": \"hgrid\",",
+            "\"levels\": [",
+            "\"cells\": 5, \"particles\": 6",
+            "\"ghosts\": [10",
+            "\"bytes\": [0",
+            "\"messages\": [0",
+            "\"rebuild_messages\": 77,",
+            "\"rebuild_bytes\": 7700,",
+            "\"memory_held\": 770000,",
+            "\"pupcs\": ",
+            "\"imbalance\": ",
+            "{\"name\": \"rain\", \"asked\": 2000, \"placed\": 1800, \"lost\": 0},",
+            "\"stages\": {",
+            "\"particle_steps_per_second\": 50000000,",
+            "\"pairs\": 123456789,",
+            "\"contacts\": ",
+            "\"rebuilds\": ",
+            "\"bytes_per_particle\": ",
+            "\"seed\": 18446744073709551615,",
+            "\"version\": \"",
+            "\"git_revision\": \"",
+            "\"compiler\": \"",
+            "\"flags\": \"",
+            "\"host\": \"",
+            "\"cell_size\": null",
+            "\"stopped\": \"a \\\"guard\\\"\\u000a\\\\\""};
         for (size_t k = 0; k < sizeof keys / sizeof keys[0]; k++)
             team_expect(team, strstr(text, keys[k]) != NULL, "%s is not in\n%s", keys[k], text);
         for (int s = 0; s < STAGES; s++) {

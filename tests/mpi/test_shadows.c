@@ -12,6 +12,7 @@
 
 #include "comm/ghosts.h"
 #include "team.h"
+#include "pairs/classes_choose.h"
 
 #include <float.h>
 #include <math.h>

@@ -81,6 +81,52 @@ static void values_are_refilled(void **state) {
 }
 
 /* A wrong name is the user's error, told apart; unused options are named. */
+/* A hard matrix after an easy one: a new preconditioner is compared with its own first solve, not with that of the old one. */
+static void renewed_counts_anew(void **state) {
+    struct team *team = *state;
+    struct error error = {0};
+    struct solve *solve = lattice_matrix_begin(team, NULL);
+    struct lattice_matrix lattice = {.dimension = 2, .side = 24};
+    struct solve_options options = solve_options_regular("test_");
+    options.reuse = 5;
+    lattice_matrix_make(&lattice, &team->comm);
+    struct solve_rows rows = lattice_matrix_rows(&lattice);
+    double *b = memory_allocate((size_t)rows.count, sizeof(double), "lattice");
+    double *x = memory_allocate((size_t)rows.count, sizeof(double), "lattice");
+    double *value = memory_allocate((size_t)rows.start[rows.count], sizeof(double), "lattice");
+    struct solve_system *system = solve != NULL ? solve_create(solve, &rows, &options, &error) : NULL;
+    team_expect(team, system != NULL, "%s", error.text);
+    int iterations[3] = {0};
+    for (int turn = 0; system != NULL && turn < 3;
+         turn++) { /* diagonals 50 times, then by a hundredth larger */
+        for (int32_t k = 0; k < rows.start[rows.count]; k++)
+            value[k] = lattice.value[k] * (fabs(lattice.value[k]) > 2 ? (turn == 0 ? 50 : 1.01) : 1);
+        if (turn == 1)
+            solve_renew(system);
+        solve_values(system, value);
+        lattice_matrix_sides(&lattice, b, x);
+        solve_solve(system, b, x, false);
+        iterations[turn] = (int)solve_report(system)->iterations;
+    }
+    if (system != NULL) {
+        const struct solve_report *report = solve_report(system);
+        team_expect(team, iterations[1] > 2 * iterations[0] + 1, "%d and %d iterations", iterations[0],
+                    iterations[1]);
+        lattice_matrix_sides(&lattice, b, x);
+        solve_values(system, value);
+        solve_solve(system, b, x, false);
+        team_expect(team, report->set_ups == 2 && report->kept == 2, "%d set-ups, %d kept",
+                    (int)report->set_ups, (int)report->kept);
+    }
+    solve_destroy(&system);
+    solve_end(&solve, NULL, 0);
+    lattice_matrix_free(&lattice);
+    memory_free(b);
+    memory_free(x);
+    memory_free(value);
+    team_finish(team);
+}
+
 static void options_reach_petsc(void **state) {
     struct team *team = *state;
     struct solve *solve = lattice_matrix_begin(
@@ -180,6 +226,7 @@ int main(int argc, char **argv) {
     team_start(&team, &argc, &argv);
     const struct CMUnitTest tests[] = {
         cmocka_unit_test_prestate(values_are_refilled, &team),
+        cmocka_unit_test_prestate(renewed_counts_anew, &team),
         cmocka_unit_test_prestate(options_reach_petsc, &team),
         cmocka_unit_test_prestate(without_a_matrix, &team),
     };

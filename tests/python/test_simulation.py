@@ -121,6 +121,15 @@ def test_particles_come_and_go():
         simulation.add([0, 0, 11], radius=0.1)
 
 
+def test_ids_of_files_stand_beside_added_particles(tmp_path):
+    (tmp_path / "rows.txt").write_text("id radius x y z\n7 0.3 1 1 1\n900 0.3 2 1 1\n")
+    sources = [{"file": str(tmp_path / "rows.txt"), "format": "table"}, {"from": "single", "position": [0, 1, 1], "radius": 0.3}]
+    simulation = scree.Simulation({**SCENE, "particles": {"sources": sources}})
+    simulation.add([-1, 1, 1], radius=0.3)
+    simulation.run(1)
+    assert sorted(simulation.id) == [1, 7, 900, 901]
+
+
 def test_mistakes_and_guards_are_told():
     said = []
     with pytest.raises(scree.Error, match="'mist'|mist") as raised:
@@ -225,3 +234,77 @@ def test_observables_without_rows_are_those_of_now():
     table = simulation.observables
     assert len(table) == 1 and table["time"][0] == simulation.time and table["energy_kinetic"][0] > 0
     assert simulation.observe()["energy_kinetic"] == table["energy_kinetic"][0]
+
+
+def test_arguments_are_looked_at():
+    simulation = scree.Simulation(SCENE)
+    x = [0, 0, 9]
+    for wrong, said in [
+        (lambda: simulation.run(-1), "steps"),
+        (lambda: simulation.run(1.5), "steps"),
+        (lambda: simulation.run("1"), "steps"),
+        (lambda: simulation.run(1, callback=print, every=0), "every"),
+        (lambda: simulation.run(1, callback=3), "callback"),
+        (lambda: simulation.delete([1.5]), "ids"),
+        (lambda: simulation.delete([[1, 2]]), "ids"),
+        (lambda: simulation.delete(["1"]), "ids"),
+        (lambda: simulation.add([[0, 0], [1, 1]], radius=0.1), "position"),
+        (lambda: simulation.add(5, radius=0.1), "position"),
+        (lambda: simulation.add(x, radius=[0.1, 0.2]), "radius"),
+        (lambda: simulation.add(x, radius=np.nan), "finite"),
+        (lambda: simulation.add(x, radius=-1), "radius"),
+        (lambda: simulation.add(x, radius=1e-120), "mass"),
+        (lambda: simulation.add([0, 0, np.nan], radius=0.1), "finite"),
+        (lambda: simulation.add(x, radius=0.1, material=0.5), "material"),
+        (lambda: simulation.add(x, radius=0.1, material=-1), "material"),
+        (lambda: simulation.add(x, radius=0.1, material=1 << 40), "material"),
+        (lambda: simulation.add(x, radius=0.1, group=7), "group"),
+        (lambda: simulation.add(x, radius=0.1, velocity=[1, 2]), "velocity"),
+        (lambda: simulation.checkpoint("no/such/folder"), "no/such/folder"),
+        (lambda: scree.Simulation(SCENE, force=1), "force"),
+    ]:
+        with pytest.raises(scree.Error, match=said):
+            wrong()
+    simulation.add([], radius=0.1)
+    simulation.delete([])
+    simulation.run(0)
+    simulation.run(1)
+    assert simulation.step == 1 and len(simulation) == 250
+
+
+@pytest.mark.parametrize("name", ["run", "close", "observe", "checkpoint"])
+@pytest.mark.parametrize("late", [False, True])
+def test_what_a_force_may_not_do_is_refused(tmp_path, name, late):
+    def force(simulation):
+        simulation.columns = simulation.fields, len(simulation), simulation.steps_left, simulation.scene, simulation.stage
+        if simulation.step >= late * 2:
+            getattr(simulation, name)(*([tmp_path] if name == "checkpoint" else []))
+
+    with pytest.raises(scree.Error, match="a function that the simulation calls|still being made"):
+        scree.Simulation(SCENE, force=force).run(3)
+
+
+def test_a_force_that_is_no_number_stops_the_simulation():
+    def force(simulation):
+        simulation.force[7] = np.nan
+
+    with pytest.raises(scree.Error, match="guards.nan: .* of particle ") as raised:
+        scree.Simulation(SCENE, force=force).run(3)
+    assert raised.value.status == 3
+
+
+def test_a_simulation_that_failed_or_is_closed_has_nothing():
+    kept = []
+
+    def force(simulation):
+        kept.append(simulation)
+        raise ZeroDivisionError
+
+    with pytest.raises(ZeroDivisionError):
+        scree.Simulation(SCENE, force=force)
+    simulation = scree.Simulation(SCENE)
+    simulation.close()
+    simulation.close()
+    for call in (lambda: simulation.step, lambda: simulation.run(1), lambda: simulation.field("radius"), lambda: len(simulation)):
+        with pytest.raises(scree.Error, match="closed"):
+            call()

@@ -14,7 +14,6 @@ class Scree(AutotoolsPackage):
     variant("petsc", default=False, description="Fluids, by PETSc")
     variant("zoltan", default=True, description="Domains balanced by recursive bisection")
     variant("microhttpd", default=True, description="The live view of a run")
-    variant("assimp", default=True, description="Walls from OBJ and PLY files")
     variant("muparser", default=True, description="Expressions over the fields of particles")
 
     depends_on("c", type="build")
@@ -31,7 +30,6 @@ class Scree(AutotoolsPackage):
     depends_on("trilinos+zoltan", when="+zoltan")
     depends_on("libmicrohttpd", when="+microhttpd")
     depends_on("muparser", when="+muparser")
-    depends_on("assimp@5:", when="+assimp")
     depends_on("cmocka", type="test")
 
     def configure_args(self):

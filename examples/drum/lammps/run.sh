@@ -11,7 +11,7 @@ work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 
 tsuji() { awk -v e="$1" -f "$here/../../penetration/lammps/tsuji.awk"; }
-awk -f "$here/data.awk" "$here/../particles.txt" >"$work/data"
+gzip -dc "$here/../particles.txt.gz" | awk -f "$here/data.awk" >"$work/data"
 mpirun --allow-run-as-root --oversubscribe --bind-to none --mca mpi_yield_when_idle 1 -n "$ranks" \
     lmp -in "$here/in.drum" -log "$work/log" -var data "$work/data" -var out "$work/out" -var every 12500 \
     -var steps "$steps" -var e50 "$(tsuji 0.5)" -var e45 "$(tsuji 0.45)" -var e40 "$(tsuji 0.4)"

@@ -3,18 +3,18 @@
 
 import numpy as np
 
-from ._library import Error, ffi, lib
+from ._library import Error, ffi, lib, spread, whole
 
 _PAIR = np.dtype([("i", np.int32), ("j", np.int32), ("image", np.int8, 3)], align=True)
 
 
-def _three(values, fill, dtype):
-    """`values` for the given directions and `fill` for the others."""
+def _three(values, dimension, fill, dtype):
+    """`values`, one for each direction, and `fill` for a third one."""
     out = np.full(3, fill, dtype)
-    values = np.atleast_1d(np.asarray(values, dtype))
-    if values.ndim != 1 or len(values) > 3:
-        raise Error("edge and periodic have one value for each direction")
-    out[: len(values)] = values
+    values = np.asarray(values, dtype)
+    if values.shape != (dimension,):
+        raise Error("edge and periodic have one value for each direction, or one for all")
+    out[:dimension] = values
     return out
 
 
@@ -36,7 +36,7 @@ def pairs(positions, radii, edge=None, periodic=None, margin=0.0, index="hgrid",
     if dimension == 2:
         x = np.column_stack([x, np.zeros(count)])
     x = np.ascontiguousarray(x)
-    r = np.ascontiguousarray(np.broadcast_to(np.asarray(radii, np.float64), (count,)))
+    r = np.ascontiguousarray(spread(radii, "radii", (count,), float))
     if edge is not None and np.ndim(edge) == 0:
         edge = [edge] * dimension
     if periodic is None:
@@ -49,11 +49,11 @@ def pairs(positions, radii, edge=None, periodic=None, margin=0.0, index="hgrid",
     spheres.count = count
     spheres.position = ffi.from_buffer("double[]", x)
     spheres.radius = ffi.from_buffer("double[]", r)
-    spheres.edge = list(_three([1.0] if edge is None else edge, 1.0, float))
-    spheres.periodic = [bool(p) for p in _three(periodic, False, bool)]
+    spheres.edge = list(_three([1.0] * dimension if edge is None else edge, dimension, 1.0, float))
+    spheres.periodic = [bool(p) for p in _three(periodic, dimension, False, bool)]
     spheres.dimension = dimension
     found, number, why = ffi.new("struct scree_pair **"), ffi.new("size_t *"), ffi.new("char[512]")
-    if not lib.scree_pairs(index.encode(), spheres, float(margin), int(threads), found, number, why, len(why)):
+    if not lib.scree_pairs(index.encode(), spheres, float(margin), whole(threads, "threads", -1 << 31, (1 << 31) - 1), found, number, why, len(why)):
         raise Error(ffi.string(why).decode(errors="replace"))
     try:
         if number[0] == 0:

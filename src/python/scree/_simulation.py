@@ -1,12 +1,13 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """A running scene."""
 
+import os
 import sys
 import time
 
 import numpy as np
 
-from ._library import Error, check, ffi, lib
+from ._library import Error, check, ffi, lib, spread, whole
 from ._scene import Scene
 
 _CHUNK = 0.2  # seconds between two looks at the keyboard
@@ -25,15 +26,18 @@ class Simulation:
     def __init__(self, scene, force=None, log=None, resume=None, folder=None, comm=None):
         if not isinstance(scene, Scene):
             scene = Scene(scene)
-        self._raised = None
+        for name, function in (("force", force), ("log", log)):
+            if function is not None and not callable(function):
+                raise Error(f"{name} is a function, not {function!r}")
+        self._raised, self._inside, self._columns = None, False, []
         self._force, self._log = force, log or (lambda line: print(f"scree: {line}", file=sys.stderr))
         options, error = ffi.new("struct scree_options *"), ffi.new("struct scree_error *")
         settings = [ffi.new("char[]", word.encode()) for word in scene.settings()]
         words = ffi.new("char *[]", settings)
         options.set, options.sets = words, len(settings)
-        path = ffi.NULL if resume is None else ffi.new("char[]", str(resume).encode())
+        path = ffi.NULL if resume is None else ffi.new("char[]", os.fsencode(resume))
         options.resume = path
-        place = ffi.NULL if folder is None else ffi.new("char[]", str(folder).encode())
+        place = ffi.NULL if folder is None else ffi.new("char[]", os.fsencode(folder))
         options.folder = place
         self._callbacks = [
             ffi.callback("void(void *, const char *)", self._say),
@@ -49,25 +53,31 @@ class Simulation:
         text = ffi.NULL if scene.text is None else scene.text.encode()
         self._handle = ffi.NULL
         handle = lib.scree_create(scene.file.encode(), text, options, error)
+        self._handle = handle  # also where nothing was made, and a force has seen what was to become of it
+        self._pointer = ffi.new("struct scree_simulation **", handle)
         self._raise()
         check(handle != ffi.NULL, error)
-        self._pointer = ffi.new("struct scree_simulation **", handle)
-        self._handle = handle
         self._columns = [
             (ffi.string(lib.scree_column_name(handle, c)).decode(), ffi.string(lib.scree_column_unit(handle, c)).decode())
             for c in range(lib.scree_columns(handle))
         ]
 
     def _say(self, context, line):
-        self._log(ffi.string(line).decode(errors="replace"))
+        self._call(self._log, ffi.string(line).decode(errors="replace"))
 
     def _pull(self, context, handle):
         self._handle = handle  # the first forces come before scree_create returns
+        self._call(self._force, self)
+
+    def _call(self, function, argument):
+        """Calls a function of the user from within C, unless one has failed already."""
         if self._raised is None:
+            self._inside = True
             try:
-                self._force(self)
+                function(argument)
             except BaseException as raised:  # it passes through C and goes on in _raise
                 self._raised = raised
+            self._inside = False
 
     def _raise(self):
         raised, self._raised = self._raised, None
@@ -81,6 +91,8 @@ class Simulation:
 
     def close(self):
         """Frees the simulation; its arrays must not be used any more. With ranks: collective."""
+        if getattr(self, "_inside", False):
+            raise Error("a function that the simulation calls, as `force`, may not close it")
         if getattr(self, "_pointer", None) is not None:
             lib.scree_destroy(self._pointer)
             self._pointer, self._handle = None, ffi.NULL
@@ -126,7 +138,13 @@ class Simulation:
         `progress`: a line on standard error. An array from before is invalid then. No step is taken after the last of a
         scene with stages. Returns the simulation."""
         begun, chunk, first = time.monotonic(), 1, self.step
-        while (left := self.steps_left if steps is None else first + int(steps) - self.step) > 0:
+        steps = None if steps is None else whole(steps, "steps", 0, 1 << 62)
+        every = whole(every, "every", 1, 1 << 62)
+        if callback is not None and not callable(callback):
+            raise Error(f"callback is a function, not {callback!r}")
+        if self._inside:
+            raise Error("a function that the simulation calls, as `force`, may not run it")
+        while (left := self.steps_left if steps is None else first + steps - self.step) > 0:
             last = self.step + left
             if callback is not None:
                 left = min(left, every - (self.step - first) % every)
@@ -236,21 +254,29 @@ class Simulation:
     def add(self, position, radius, velocity=(0, 0, 0), angular_velocity=(0, 0, 0), density=0, material=0, group=0):
         """Adds particles in the next step: `position` (n, 3) in the coordinates of the scene; the others have one value
         for all or one for each. `density` 0: that of the material; material and group are numbers in the scene."""
-        x = np.atleast_2d(np.asarray(position, float))
+        x = np.asarray(position, float)
+        x = x.reshape(-1, 3) if x.size == 0 or x.shape == (3,) else x
+        if x.ndim != 2 or x.shape[1] != 3:
+            raise Error(f"position has the shape (n, 3), or (3,) for one particle, not {x.shape}")
         n = len(x)
         new = ffi.new("struct scree_particle[]", n)
-        columns = [np.broadcast_to(np.asarray(value), (n,)) for value in (radius, density, material, group)]
-        v, w = (np.broadcast_to(np.asarray(value, float), (n, 3)) for value in (velocity, angular_velocity))
+        columns = [spread(radius, "radius", (n,), float), spread(density, "density", (n,), float)]
+        columns += [spread(material, "material", (n,), int), spread(group, "group", (n,), int)]
+        v, w = spread(velocity, "velocity", (n, 3), float), spread(angular_velocity, "angular_velocity", (n, 3), float)
         for k in range(n):
             new[k].position, new[k].velocity, new[k].angular_velocity = list(x[k]), list(v[k]), list(w[k])
             new[k].radius, new[k].density = float(columns[0][k]), float(columns[1][k])
-            new[k].material, new[k].group = int(columns[2][k]), int(columns[3][k])
+            new[k].material = whole(columns[2][k], "material", 0, (1 << 31) - 1)
+            new[k].group = whole(columns[3][k], "group", 0, (1 << 31) - 1)
         error = ffi.new("struct scree_error *")
         check(lib.scree_add(self._open(), new, n, error), error)
 
     def delete(self, ids):
         """Deletes the particles with these ids in the next step."""
-        numbers = np.ascontiguousarray(np.atleast_1d(ids), np.int64)
+        numbers = np.atleast_1d(np.asarray(ids))
+        if numbers.ndim != 1 or (numbers.size > 0 and numbers.dtype.kind not in "iu"):
+            raise Error(f"ids are whole numbers in one row, not {ids!r}")
+        numbers = np.ascontiguousarray(numbers, np.int64)
         lib.scree_delete(self._open(), ffi.from_buffer("int64_t[]", numbers), len(numbers))
 
     # Results
@@ -283,8 +309,8 @@ class Simulation:
     def checkpoint(self, folder):
         """Writes FOLDER/checkpoint-STEP.h5, from which the program and `resume` go on; returns the path."""
         error = ffi.new("struct scree_error *")
-        check(lib.scree_checkpoint(self._open(), str(folder).encode(), error), error)
-        return f"{folder}/checkpoint-{self.step}.h5"
+        check(lib.scree_checkpoint(self._open(), os.fsencode(folder), error), error)
+        return f"{os.fspath(folder)}/checkpoint-{self.step}.h5"
 
     @property
     def scene(self):
