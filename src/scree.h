@@ -5,9 +5,9 @@
  *
  * All functions are plain C. None prints or exits, except scree_main, which is a whole program. Warnings and notes
  * go to a function of the caller. Two failures still end the process, because other ranks would wait for ever:
- * exhausted memory and a failed call of MPI. The function of the caller gets their message, too. A file that one of several
- * ranks cannot write may leave all ranks waiting in scree_checkpoint, or at the end of a stage: the program ends such a job
- * after ten seconds, the library does not.
+ * exhausted memory and a failed call of MPI. The function of the caller gets their message, too. A third one, a file that one
+ * of several ranks cannot write, ends the job after ten seconds where the ranks would wait for each other inside of HDF5. That
+ * needs scree before MPI in the order of linking or loading; else rank 0 notes that such a job may wait.
  *
  * Functions with a `struct scree_error *` fill it and return false or NULL on failure; it may be NULL. "Collective"
  * means that all ranks of the communicator call the function, with the same arguments, and get the same result.

@@ -6,6 +6,7 @@
 #include <stdint.h>
 #include <cmocka.h>
 
+#include "core/memory.h"
 #include "engine/stages.h"
 #include "observe/describe.h"
 #include "observe/report_json.h"
@@ -148,6 +149,7 @@ static void write_report(char path[]) {
                      "%s", stages.stage[k].name);
     snprintf(report.choice, sizeof report.choice, "hgrid");
     report.levels = report.classes = report.insertions = report.solvers = report.scene_stages = 2;
+    report.insertion = memory_allocate_zero(2, sizeof *report.insertion, "insertions");
     int file = mkstemp(path);
     assert_true(file >= 0);
     close(file);

@@ -174,8 +174,8 @@ case_above() {
     what='1.01 of the stable step: refused; 1.5 forced: the guard of energies sees it'
     go above limit --set step.fraction=1.01
     status=$?
-    outcome="refused: $(said | sed 's/^.*step.dt: //')"
-    refused 2 'above the stable' || return 1
+    outcome="refused: $(said | sed 's/^.*step.fraction: //')"
+    refused 2 'of the stable time step' || return 1
     go forced limit --set step.fraction=1.5 --set step.force=true --set guards.energy=stop
     status=$?
     outcome="$outcome; forced: $(said | sed 's/^.*guards/guards/')"

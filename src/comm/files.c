@@ -7,6 +7,11 @@
 #include <stddef.h>
 
 static void (*watcher)(const char *what);
+static unsigned long opened;
+
+unsigned long files_opened(void) {
+    return opened;
+}
 
 void files_watch(void (*failed)(const char *what)) {
     watcher = failed;
@@ -48,6 +53,7 @@ static int look_read(int code, MPI_File file, MPI_Offset offset, const MPI_Statu
 }
 
 int MPI_File_open(MPI_Comm comm, const char *name, int mode, MPI_Info info, MPI_File *file) {
+    opened++;
     int code = look(PMPI_File_open(comm, name, mode, info, file), "opened"), failed = code != MPI_SUCCESS;
     if (watcher == NULL || PMPI_Allreduce(MPI_IN_PLACE, &failed, 1, MPI_INT, MPI_MAX, comm) != MPI_SUCCESS)
         return code;

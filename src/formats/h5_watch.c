@@ -22,6 +22,8 @@ static const char program[] = "scree: ";
 static struct {
     int rank;
     bool opening, asked; /* HDF5 is opening the file; this rank has the file open, and reports last */
+    bool told;           /* that the watch does not work here */
+    unsigned long files; /* opened before (files_opened) */
     char path[FILE_PATH_MAX];
     char message[FILE_PATH_MAX + 512];
     size_t length; /* of the message; 0: no failure yet */
@@ -95,6 +97,7 @@ void h5_watch_begin(const struct comm *comm, const char *path) {
 void h5_watch_opening(double alone) {
     describe("opened");
     watch.opening = true;
+    watch.files = files_opened();
     watch.asked = false;
     alarm(OPENING + (unsigned)(OPENING_TIMES * alone) + turn());
 }
@@ -105,6 +108,13 @@ void h5_watch_opened(void) {
     alarm(0);
     watch.opening = false;
     watch.length = 0;
+    if (files_opened() == watch.files && !watch.told && watch.rank == 0)
+        fprintf(stderr,
+                "%snote: MPI was loaded before scree, so a write to %s that fails on one rank alone may "
+                "leave all "
+                "ranks waiting; load, or link, scree first\n",
+                program, watch.path);
+    watch.told = true;
 }
 
 void h5_watch_end(void) {

@@ -22,7 +22,7 @@
 void h5_watch_begin(const struct comm *comm, const char *path);
 
 /* Called before and after the call by which all ranks open the file together; `alone`: seconds of the single
- * opening of each rank. */
+ * opening of each rank. If the watch has not noticed the opening, rank 0 says so once (comm/files.h). */
 void h5_watch_opening(double alone);
 void h5_watch_opened(void);
 

@@ -25,6 +25,6 @@ EXTRA_libscree_la_DEPENDENCIES = src/lib/libscree.map
 
 # The contact search without MPI and HDF5
 libscree_index_la_SOURCES =
-libscree_index_la_LIBADD = libsearch.la $(PARTICLES_LIBS)
+libscree_index_la_LIBADD = libsearch.la $(PAIRS_LIBS)
 libscree_index_la_LDFLAGS = $(AM_LDFLAGS) -Wl,--version-script=$(srcdir)/src/lib/libscree-index.map -version-info 0:0:0
 EXTRA_libscree_index_la_DEPENDENCIES = src/lib/libscree-index.map

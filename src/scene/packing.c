@@ -84,6 +84,9 @@ static bool draw_radii(struct placing *p, struct order *order, struct error *err
     if (!options->count && expected > 1.1 * SOURCE_SPHERES_MAX) /* a few per cent are chance */
         return scene_fail(scene, error, source_key(source, "volume_fraction", key, sizeof(key)),
                           "needs about %.2g spheres; at most %d are possible", expected, SOURCE_SPHERES_MAX);
+    if (!source_room(options->count ? (double)options->count : expected,
+                     4 * sizeof(double) + sizeof(struct draw) + (double)SOURCE_BYTES / p->share->size, error))
+        return false;
     while (options->count ? p->count < (size_t)options->count : p->wanted < wanted) {
         struct random_sequence random =
             random_sequence(scene->seed, RANDOM_RADIUS, (uint64_t)(source + 1) << 40 | p->count);
@@ -211,10 +214,7 @@ bool packing_make(const struct scene *scene, const struct scene_share *share, st
         *p = (struct placing){.scene = scene, .source = s, .share = share, .grid = grid};
         p->region = source_region(scene, &scene->source[s].region, &p->space);
         p->volume = region_volume(&p->region, &p->space);
-        good = source_room((double)scene->source[s].count,
-                           4 * sizeof(double) + sizeof(struct draw) + (double)SOURCE_BYTES / share->size,
-                           error) &&
-               draw_radii(p, &order, error);
+        good = draw_radii(p, &order, error);
         if (good)
             rows_create(&batch[s].rows, p->count, ROWS_POSITION | ROWS_RADIUS);
     }

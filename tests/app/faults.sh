@@ -256,6 +256,17 @@ if [ -e "$cut_write" ]; then
     check 'of a dataset' cut_one 8 '/particles/all/position/value'
     check 'of what HDF5 keeps about the file, in a flush' cut_one 3 'trajectory.h5'
     check 'of the same, in a later frame' cut_one 18 'trajectory.h5'
+    printf '#include <scree.h>\nint main(int argc, char **argv) { return scree_main(argc, argv); }\n' >linked.c
+    in_library() { # the same in a program that links the library
+        ${CC:-cc} -I"$top_srcdir/src" linked.c -o linked -L"$top_builddir/.libs" -lscree "-Wl,-rpath,$top_builddir/.libs" || return 1
+        local scree=$out/linked
+        cut_one 3 'trajectory.h5'
+    }
+    if [ -e "$top_builddir/.libs/libscree.so" ] && ! grep -q -- -fsanitize "$top_builddir/config.status"; then
+        check 'in a program that links the library' in_library
+    else
+        skip 'a program that links the library (no shared library, or sanitizers)'
+    fi
     writes_alone() { ! cut_one 1000000 nothing >/dev/null && [ "$(number write/report.json last_step)" = 40 ]; }
     check 'and writes that are left alone do no harm' writes_alone
 else

@@ -27,7 +27,7 @@ same_names() {
     local library=$1
     shift
     (cd "$top_srcdir/src" && declared "$@") >"$out/declared"
-    exports "$library" >"$out/exported"
+    exports "$library" | grep -v '^MPI_File_' >"$out/exported"
     mapped "$library" | diff - "$out/declared" && diff "$out/exported" "$out/declared" && [ -s "$out/declared" ]
 }
 check "libscree exports what its headers declare" same_names libscree scree.h scree_pairs.h
