@@ -5,7 +5,7 @@ EXTRA_DIST += docs/physics.md docs/user-law.md docs/fluid.md docs/fluid-limits.m
 	docs/images/crushing.png docs/images/dumbbells.png docs/images/fluid-cavity.png docs/images/fluid-electroosmosis.png \
 	docs/images/fluid-spheres.png docs/images/fluid-vortices.png docs/images/fluidised-bed.png docs/images/gate.png docs/images/heated-drum.png \
 	docs/images/blade.png docs/images/repose.png docs/images/wet-pile.png
-EXTRA_DIST += docs/packing.md docs/pictures.md docs/images/picture-drum.png docs/reports.md docs/images/report.png docs/images/report-ablation.png \
+EXTRA_DIST += docs/hard.md docs/packing.md docs/pictures.md docs/images/picture-drum.png docs/reports.md docs/images/report.png docs/images/report-ablation.png \
 	docs/index.md docs/tutorial.md docs/images/tutorial.png docs/images/site.png docs/site/conf.py
 EXTRA_DIST += docs/view.md docs/images/view.png
 EXTRA_DIST += docs/gallery.md docs/howto/cluster.md docs/howto/compaction.md docs/howto/coupling.md docs/howto/drum.md docs/howto/hopper.md \
@@ -55,6 +55,15 @@ EXTRA_DIST += docs/accuracy.md \
 	docs/images/verify-fluid-taylor-green.svg \
 	docs/images/verify-free-fall.svg \
 	docs/images/verify-haff.svg \
+	docs/images/verify-hard-boulder.svg \
+	docs/images/verify-hard-chain.svg \
+	docs/images/verify-hard-column.svg \
+	docs/images/verify-hard-haff.svg \
+	docs/images/verify-hard-impact.svg \
+	docs/images/verify-hard-rest.svg \
+	docs/images/verify-hard-sliding.svg \
+	docs/images/verify-hard-slope.svg \
+	docs/images/verify-implicit-hertz.svg \
 	docs/images/verify-heat-chain.svg \
 	docs/images/verify-heat-rod.svg \
 	docs/images/verify-incline.svg \

@@ -20,7 +20,7 @@
 
 #include <stdbool.h>
 
-#define PHYSICS_TABLE(ROW)                                                                                   \
+#define PHYSICS_SECTION_TABLE(ROW)                                                                           \
     ROW(density, number_density, GRAINS,                                                                     \
         "the SPH number density of each particle, sum of W(|x_ij|, support)")                                \
     ROW(drag, drag, GRAINS, "drag and buoyancy of grains in a fluid that does not resolve them")             \
@@ -28,6 +28,12 @@
     ROW(bonds, bonds, GRAINS, "parallel bonds that hold grains together until they break")                   \
     ROW(bodies, bodies, BODIES, "rigid bodies of spheres, which may overlap")                                \
     ROW(fluid, fluid, OWN, "an incompressible fluid around grains and between walls (implicit SPH)")
+
+/* Physics whose sections stand in `contact` (scene/schema_contact.c); PHYSICS_TABLE: all that a scene may ask for. */
+#define PHYSICS_CONTACT_TABLE(ROW)                                                                           \
+    ROW(hard, contact.solver, GRAINS,                                                                        \
+        "a solver finds the forces of contacts at the end of each step: long steps for stiff grains")
+#define PHYSICS_TABLE(ROW) PHYSICS_SECTION_TABLE(ROW) PHYSICS_CONTACT_TABLE(ROW)
 
 #define PHYSICS_ALWAYS(ROW) ROW(grains)
 

@@ -61,7 +61,7 @@ static inline bool next_cohesion(struct law_options *o) {
         if ((int)o->cohesion == count) {
             o->cohesion = LAW_COHESION_NONE;
             o->normal = (enum law_normal)(o->normal + 1);
-            if (o->normal == LAW_COUNT)
+            if ((int)o->normal == LAW_SPRING_COUNT)
                 return false;
         }
     } while (!law_part_combines(&rows[o->cohesion], law_row_get(o->normal)->traits));

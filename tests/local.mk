@@ -264,6 +264,10 @@ tests_checkpoint_lines_SOURCES = tests/checkpoint_lines.c
 tests_checkpoint_lines_CPPFLAGS = $(TEST_MPI_CPPFLAGS)
 tests_checkpoint_lines_LDADD = $(OBSERVE_LIBS)
 
+check_PROGRAMS += tests/test_hard
+tests_test_hard_SOURCES = tests/test_hard.c
+tests_test_hard_LDADD = libhard.la $(CORE_LIBS) $(TEST_LIBS)
+
 check_PROGRAMS += tests/test_bodies
 tests_test_bodies_SOURCES = tests/test_bodies.c
 tests_test_bodies_LDADD = libbodies.la $(CORE_LIBS) $(TEST_LIBS)

@@ -56,7 +56,7 @@ static struct law_options options_of(int k) {
     return o;
 }
 
-enum { OPTIONS = 32 * LAW_COUNT };
+enum { OPTIONS = 32 * LAW_SPRING_COUNT };
 
 static struct law random_law(int k) {
     struct law_pair pair = {
@@ -290,7 +290,7 @@ static void test_rows(void **state) {
         .k_n = 1e7,
         .k_t = 3e6,
         .extra = {.k_2 = 2e7, .yield_pressure = 1e9, .plasticity_ratio = 0.5, .adhesion_exponent = 1.5}};
-    for (int k = 0; k < LAW_COUNT; k++) {
+    for (int k = 0; k < LAW_SPRING_COUNT; k++) {
         struct law_options options = law_options_default();
         options.normal = (enum law_normal)k;
         OWN_LAW law = law_for(options, glass, pair);

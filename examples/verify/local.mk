@@ -71,9 +71,18 @@ nobase_dist_pkgdata_DATA += \
 	examples/verify/heat-rod/particles.txt \
 	examples/verify/heat-rod/scene.yaml \
 	examples/verify/haff/scene.yaml \
+	examples/verify/hard-boulder/scene.yaml \
+	examples/verify/hard-chain/scene.yaml \
+	examples/verify/hard-column/scene.yaml \
+	examples/verify/hard-haff/scene.yaml \
+	examples/verify/hard-impact/scene.yaml \
+	examples/verify/hard-rest/scene.yaml \
+	examples/verify/hard-slope/scene.yaml \
+	examples/verify/hard-sliding/scene.yaml \
 	examples/verify/hertz.awk \
 	examples/verify/impact.c \
 	examples/verify/impacts.sh \
+	examples/verify/implicit-hertz/scene.yaml \
 	examples/verify/incline/scene.yaml \
 	examples/verify/janssen/scene.yaml \
 	examples/verify/jkr-pull-off/scene.yaml \
@@ -157,8 +166,17 @@ nobase_dist_pkgdata_SCRIPTS += \
 	examples/verify/fluid-taylor-green/check \
 	examples/verify/free-fall/check \
 	examples/verify/haff/check \
+	examples/verify/hard-boulder/check \
+	examples/verify/hard-chain/check \
+	examples/verify/hard-column/check \
+	examples/verify/hard-haff/check \
+	examples/verify/hard-impact/check \
+	examples/verify/hard-rest/check \
+	examples/verify/hard-slope/check \
+	examples/verify/hard-sliding/check \
 	examples/verify/heat-chain/check \
 	examples/verify/heat-rod/check \
+	examples/verify/implicit-hertz/check \
 	examples/verify/incline/check \
 	examples/verify/janssen/check \
 	examples/verify/jkr-pull-off/check \

@@ -113,20 +113,22 @@ static void print_longer_steps(const struct simulation *s) {
 
 /* The step in two lines. */
 static void print_step_short(const struct simulation *s) {
-    const struct timestep_limits *limits = &grains_of(&s->physics)->stable.limits;
+    const struct grains *grains = grains_of(&s->physics);
+    const struct timestep_limits *limits = &grains->stable.limits;
+    bool springs = s->scene->materials > 0 && !grains->law.options.solved;
     printf("time step %.6g", s->clock.dt);
     if (!isfinite(s->timing.stable)) {
         printf("; any is stable\n");
         return;
     }
     printf(" = %.3g of the stable %.6g", s->clock.dt / s->timing.stable, s->timing.stable);
-    if (s->scene->materials > 0)
+    if (springs)
         printf(" (contact '%s' - '%s')", s->scene->material[limits->material_a].name,
                s->scene->material[limits->material_b].name);
     printf("\n");
     double error = step_study_error(&s->scene->law, s->clock.dt / s->timing.stable),
            longer = step_study_error(&s->scene->law, long_fraction);
-    if (s->scene->materials > 0 && s->clock.dt_fraction > 0 && !isnan(error) && !isnan(longer))
+    if (springs && s->clock.dt_fraction > 0 && !isnan(error) && !isnan(longer))
         printf("  an impact is off by up to %.2g %%; step.fraction %.2g: %.2g of the steps, %.2g %% "
                "(docs/speed-error.md)\n",
                100 * error, long_fraction, s->clock.dt / s->timing.stable / long_fraction, 100 * longer);
@@ -136,7 +138,8 @@ static void print_step(const struct simulation *s) {
     const struct grains *grains = grains_of(&s->physics);
     bool limited = isfinite(s->timing.stable);
     printf("\ntime step\n");
-    if (s->scene->materials > 0)
+    bool springs = s->scene->materials > 0 && !grains->law.options.solved;
+    if (springs)
         printf("  stable       %.6g (contact '%s' - '%s', damping ratio %.3g)\n", s->timing.stable,
                s->scene->material[grains->stable.limits.material_a].name,
                s->scene->material[grains->stable.limits.material_b].name,
@@ -146,7 +149,7 @@ static void print_step(const struct simulation *s) {
     if (s->timing.stable < s->timing.expected)
         printf("               for the contacts that there are; %.6g for contacts to come\n",
                s->timing.expected);
-    if (s->scene->materials > 0)
+    if (springs)
         printf("  contact time %.6g\n", grains->stable.limits.contact_time);
     if (grains->stable.limits.rayleigh > 0)
         printf("  Rayleigh     %.6g\n", grains->stable.limits.rayleigh);
@@ -155,7 +158,7 @@ static void print_step(const struct simulation *s) {
                s->clock.dt / s->timing.stable, timestep_default_fraction());
     else
         printf("  chosen       %.6g; any is stable\n", s->clock.dt);
-    if (limited && s->scene->materials > 0 && s->clock.dt_fraction > 0)
+    if (limited && springs && s->clock.dt_fraction > 0)
         print_longer_steps(s);
 }
 

@@ -204,7 +204,7 @@ void check_parts_bytes(const struct simulation *s) {
         printf("history: %zu bytes a touching pair\n",
                2 * (sizeof(uint32_t) + (size_t)grains->law.history_components * sizeof(double)));
     else
-        printf("history: none (no friction)\n");
+        printf("history: none (%s)\n", grains->law.options.solved ? "a solver has its own" : "no friction");
 }
 
 /* Bytes of a particle's fields with a use. */

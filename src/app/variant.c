@@ -95,13 +95,13 @@ static void put_laws(struct list *list, const struct scene *scene) {
     }
     if (scene->law.tangential != LAW_FRICTIONLESS)
         put(list, "law", VARIANT_FRICTIONLESS, 0, "no friction");
-    if (scene->law.tangential == LAW_TANGENTIAL_HISTORY && !scene->law.lammps_history)
+    if (scene->law.tangential == LAW_TANGENTIAL_HISTORY && !scene->law.lammps_history && !scene->law.solved)
         put(list, "law", VARIANT_SLIDING,
             scene->law.sliding == LAW_SLIDING_SERIES ? LAW_SLIDING_TOTAL : LAW_SLIDING_SERIES,
             scene->law.sliding == LAW_SLIDING_SERIES ? "sliding total" : "sliding series");
     if (scene->law.rolling != LAW_ROLLING_NONE)
         put(list, "law", VARIANT_NO_ROLLING, 0, "no rolling resistance");
-    if (scene->law.damping == LAW_DAMPING_RESTITUTION) {
+    if (scene->law.damping == LAW_DAMPING_RESTITUTION && !law_has_trait(scene->law.normal, "stiff")) {
         put(list, "stiffness", VARIANT_SOFT, 0.1, "stiffness / 10");
         put(list, "stiffness", VARIANT_SOFT, 0.01, "stiffness / 100");
     }
@@ -125,7 +125,7 @@ static void put_searches(struct list *list, const struct scene *scene, const str
         put(list, "classes", VARIANT_CLASSES, 1, "1 size class");
     put(list, "order", VARIANT_FUSED, scene->step.fused ? 0 : 1,
         scene->step.fused ? "plain step" : "fused step");
-    if (!scene->reproducible)
+    if (!scene->reproducible && !scene->law.solved)
         put(list, "order", VARIANT_REPRODUCIBLE, 1, "reproducible");
 }
 

@@ -68,6 +68,10 @@ struct force_context {
     /* Where that work goes; NULL: nowhere. */
     struct force_work *pair_work; /* by pair of the list: set for each contact */
     struct force_work *wall_work; /* by owned particle: those of its contacts with walls are added */
+    /* Lists the contacts that a solver has found, those of pairs or those with walls, allocated (memory_free). NULL: contacts
+     * are listed by the law. */
+    size_t (*solved)(const void *solver, bool walls, struct force_contact **contacts);
+    const void *solver;
     /* True if two particles of the list have no contact, whatever their distance; any thread. NULL: all have. */
     bool (*joined)(const void *context, size_t i, size_t j);
     const void *joined_context;

@@ -62,7 +62,8 @@ static bool law_check_material(const struct law_material *m, const struct law_op
 /* Refuses coefficients of a pair that are out of range; each key only where the options use it. */
 static bool law_check_pair(const struct law_pair *p, const struct law_options *o, const char *a,
                            const char *b, struct error *error) {
-    bool springs = !law_has_moduli(o), friction = o->tangential != LAW_FRICTIONLESS;
+    bool springs = !law_has_moduli(o) && !law_has_trait(o->normal, "stiff"),
+         friction = o->tangential != LAW_FRICTIONLESS;
     bool given = o->damping == LAW_DAMPING_COEFFICIENT, rolling = o->rolling != LAW_ROLLING_NONE;
     const struct {
         const char *key;
@@ -114,6 +115,8 @@ static struct law_coefficients law_combine(const struct law_options *o, const st
                                            const struct law_material *b, const struct law_pair *p) {
     const struct law_form *form = law_form_of(o);
     bool friction = o->tangential != LAW_FRICTIONLESS;
+    if (law_has_trait(o->normal, "stiff"))
+        return (struct law_coefficients){.friction = friction ? p->friction : 0.0};
     struct law_coefficients c = {.k_n = p->k_n,
                                  .k_t = p->k_t,
                                  .friction = friction ? p->friction : 0.0,
@@ -168,7 +171,8 @@ static void law_lay_out(struct law *law) {
     for (int a = 0; a < law->materials; a++)
         for (int b = 0; b <= a; b++)
             apart = apart || law_extra_of(law, a, b)->static_friction > law_pair_of(law, a, b)->friction;
-    law->memory.spring = law_place(&next, law->spin && o->tangential != LAW_TANGENTIAL_VISCOUS, 3);
+    law->memory.spring =
+        law_place(&next, law->spin && !o->solved && o->tangential != LAW_TANGENTIAL_VISCOUS, 3);
     law->memory.roll = law_place(
         &next, law->spin && o->rolling != LAW_ROLLING_NONE && o->rolling != LAW_ROLLING_CONSTANT, 3);
     law->history_odd = next;

@@ -56,7 +56,8 @@ struct law_options {
     bool
         lammps_granular; /* LAMMPS's pair_style granular to the letter: the lever of the slip is r, sliding is
                              TOTAL, an empty spring over the Coulomb limit gives no force */
-    bool synchronised;   /* history with the half-step normal (Vyas et al. 2025); set from the integrator */
+    bool solved; /* a solver finds the forces of contacts, which have no history here; set from the scene */
+    bool synchronised; /* history with the half-step normal (Vyas et al. 2025); set from the integrator */
 };
 
 /* Places in the history of a contact, -1: absent. Vectors come first: tangential and rolling spring, three

@@ -24,7 +24,7 @@
 
 /* Rows: NAME, name in scenes, traits of the laws (law_table.h) that the part combines with, for whom the part is. */
 #define LAW_COHESION_TABLE(ROW)                                                                              \
-    ROW(NONE, none, "stiffness moduli", "dry grains")                                                        \
+    ROW(NONE, none, "stiffness moduli stiff", "dry grains")                                                  \
     ROW(JKR, jkr, "elastic yield",                                                                           \
         "fine, soft, sticky powders: elastic spheres with surface energy, whose contact area grows with it") \
     ROW(DMT, dmt, "moduli",                                                                                  \
@@ -37,8 +37,8 @@
         "particles of micrometres: Hamaker's attraction up to a cut-off distance")
 
 #define LAW_TANGENTIAL_TABLE(ROW)                                                                            \
-    ROW(NONE, none, "stiffness moduli", "no friction: no spin, no torque, no history anywhere")              \
-    ROW(HISTORY, history, "stiffness moduli", "a spring with history, up to Coulomb's limit")                \
+    ROW(NONE, none, "stiffness moduli stiff", "no friction: no spin, no torque, no history anywhere")        \
+    ROW(HISTORY, history, "stiffness moduli stiff", "a spring with history, up to Coulomb's limit")          \
     ROW(RESCALE, rescale, "moduli",                                                                          \
         "the same, and the spring shrinks with the contact radius on unloading (mindlin_rescale)")           \
     ROW(FORCE, force, "stiffness moduli", "remembers the force, not the displacement (mindlin/force)")       \
@@ -47,7 +47,7 @@
         "a dashpot up to Coulomb's limit, without memory: flows, not heaps")
 
 #define LAW_ROLLING_TABLE(ROW)                                                                               \
-    ROW(NONE, none, "stiffness moduli", "round, smooth grains")                                              \
+    ROW(NONE, none, "stiffness moduli stiff", "round, smooth grains")                                        \
     ROW(SPRING, spring, "stiffness moduli",                                                                  \
         "a spring and dashpot against rolling, up to a limit (Luding 2008; rolling sds of LAMMPS where "     \
         "rolling_stiffness is given)")                                                                       \
@@ -57,14 +57,14 @@
         "constant torque against the rolling, type A of Ai et al. 2011: flows; trembles at rest")
 
 #define LAW_TWISTING_TABLE(ROW)                                                                              \
-    ROW(NONE, none, "stiffness moduli", "no resistance to turning about the normal")                         \
+    ROW(NONE, none, "stiffness moduli stiff", "no resistance to turning about the normal")                   \
     ROW(SDS, sds, "stiffness moduli",                                                                        \
         "spring and dashpot up to a limit, all given (twisting sds of LAMMPS)")                              \
     ROW(MARSHALL, marshall, "stiffness moduli",                                                              \
         "from the tangential spring and the contact radius, nothing given (twisting marshall of LAMMPS)")
 
 #define LAW_DAMPING_TABLE(ROW)                                                                               \
-    ROW(RESTITUTION, restitution, "stiffness moduli", "from the given restitution, at any speed")            \
+    ROW(RESTITUTION, restitution, "stiffness moduli stiff", "from the given restitution, at any speed")      \
     ROW(COEFFICIENT, coefficient, "stiffness moduli",                                                        \
         "from gamma_n and gamma_t, per unit of effective mass, as in LAMMPS")                                \
     ROW(VISCOELASTIC, viscoelastic, "stiffness moduli",                                                      \

@@ -5,7 +5,8 @@
  * (scene/schema.h), and what the law is. Traits: `moduli`, a law whose springs come from young and poisson of
  * the materials; `stiffness`, one whose springs are k_n and k_t of the pair, force/length; `hysteresis`, one that also
  * takes k_2 and k_c; `yield`, one with a yield pressure; `compaction`, one with a plasticity ratio and an adhesive branch that
- * grows with the load; `elastic`, moduli without plastic flow; `file`, a law that the user writes (law_user.h). Laws of LAW_ELASTIC_TABLE have vectorised loops of their own (force_physics.h). */
+ * grows with the load; `elastic`, moduli without plastic flow; `implicit`, a law whose contacts a solver can find (contact.solver), and `stiff`, one
+ * that needs the solver; `file`, a law that the user writes (law_user.h). Laws of LAW_ELASTIC_TABLE have vectorised loops of their own (force_physics.h). */
 #ifndef SCREE_CONTACT_LAW_TABLE_H
 #define SCREE_CONTACT_LAW_TABLE_H
 
@@ -14,11 +15,12 @@
 #include "contact/law_hertz.h"
 #include "contact/law_hooke.h"
 #include "contact/law_luding.h"
+#include "contact/law_rigid.h"
 #include "contact/law_thornton.h"
 
 #define LAW_BUILT_TABLE(ROW)                                                                                 \
-    ROW(HOOKE, hooke, "stiffness", "linear spring and dashpot")                                              \
-    ROW(HERTZ, hertz, "moduli elastic", "elastic spheres, Hertz and Mindlin")
+    ROW(HOOKE, hooke, "stiffness implicit", "linear spring and dashpot")                                     \
+    ROW(HERTZ, hertz, "moduli elastic implicit", "elastic spheres, Hertz and Mindlin")
 
 /* Laws whose springs a file of the user's gives (law_user.h). */
 #define LAW_GIVEN_TABLE(ROW)                                                                                 \
@@ -40,7 +42,11 @@
         "sticky ones")                                                                                       \
     ROW(EEPA, eepa, "moduli compaction",                                                                     \
         "powders that cake: plastic spheres that stick the harder the more they were pressed (Edinburgh)")
-#define LAW_TABLE(ROW) LAW_ELASTIC_TABLE(ROW) LAW_PLASTIC_TABLE(ROW)
+
+/* Laws without springs, whose contacts a solver finds. */
+#define LAW_STIFF_TABLE(ROW)                                                                                 \
+    ROW(RIGID, rigid, "implicit stiff", "grains that do not yield: needs contact.solver (docs/hard.md)")
+#define LAW_TABLE(ROW) LAW_ELASTIC_TABLE(ROW) LAW_PLASTIC_TABLE(ROW) LAW_STIFF_TABLE(ROW)
 
 /* The law of a scene that names no law. */
 #define LAW_NORMAL_DEFAULT LAW_HERTZ
@@ -50,9 +56,12 @@
 enum law_normal { LAW_TABLE(LAW_ENUMERATOR) LAW_COUNT };
 #undef LAW_ENUMERATOR
 
-/* The elastic laws come first. */
+/* The elastic laws come first, those without springs last. */
 #define LAW_ONE(NAME, name, traits, summary) +1
-enum { LAW_ELASTIC_COUNT = 0 LAW_ELASTIC_TABLE(LAW_ONE) };
+enum {
+    LAW_ELASTIC_COUNT = 0 LAW_ELASTIC_TABLE(LAW_ONE),
+    LAW_SPRING_COUNT = LAW_ELASTIC_COUNT LAW_PLASTIC_TABLE(LAW_ONE)
+};
 #undef LAW_ONE
 
 struct law_row {

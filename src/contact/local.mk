@@ -31,6 +31,7 @@ libcontact_la_SOURCES = \
 	src/contact/law_parts.h \
 	src/contact/law_resist.c \
 	src/contact/law_resist.h \
+	src/contact/law_rigid.h \
 	src/contact/law_root.h \
 	src/contact/law_restitution.c \
 	src/contact/law_restitution.h \

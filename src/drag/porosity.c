@@ -99,10 +99,10 @@ void porosity_rebuilt(struct porosity *porosity) {
 }
 
 /* A wall near a grain: called by the one thread that has the grain. */
-static void at_wall(void *self, size_t i, int wall, double gap, const double *record) {
+static void at_wall(void *self, const struct wall_place *place) {
     struct porosity *porosity = self;
-    double distance = gap + porosity->context->particles->state[i].radius;
-    (void)wall, (void)record;
+    size_t i = place->particle;
+    double distance = place->gap + porosity->context->particles->state[i].radius;
     if (distance < porosity->support)
         porosity->front[i] *= porosity_front(fmax(distance, 0.0) / porosity->support);
 }

@@ -22,6 +22,10 @@ const struct physics *physics_get(enum physics_number number) {
     return entries[number].physics;
 }
 
+const char *physics_key(enum physics_number number) {
+    return entries[number].key;
+}
+
 const struct physics_active *physics_next(const struct physics_set *set, const struct physics_active *before,
                                           size_t member) {
     const struct physics_active *active = before ? before + 1 : set->active;

@@ -12,7 +12,7 @@
  *   1. Make a folder src/NAME/ with the rows of its section of a scene, its fields and its observables
  *      (physics_table.h names the objects), and a local.mk that adds libNAME.la to PHYSICS_LIBS.
  *   2. Write its `struct physics`: interactions, create and destroy, passes.
- *   3. Add its row to PHYSICS_TABLE, and `include src/NAME/local.mk` to Makefile.am.
+ *   3. Add its row to PHYSICS_SECTION_TABLE, and `include src/NAME/local.mk` to Makefile.am.
  *   4. Write its test against a plain double loop, on several ranks and threads and on every index.
  *   5. `make pages` writes docs/scene.md and docs/output.md.
  *
@@ -376,8 +376,9 @@ const struct physics_active *physics_next(const struct physics_set *set, const s
 bool physics_begin(struct physics_set *set, const struct physics_context *context,
                    struct interactions *interactions, struct error *error);
 
-/* The row of a physics: of those that a scene may ask for, then of those that are always there. */
+/* The row of a physics: of those that a scene may ask for, then of those that are always there; the key of its section. */
 const struct physics *physics_get(enum physics_number number);
+const char *physics_key(enum physics_number number);
 
 /* Checks the options of all physics, and creates the own data of those that the scene asks for. */
 bool physics_create(struct physics_set *set, struct error *error);

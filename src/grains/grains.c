@@ -21,6 +21,10 @@ struct integrator_context *grains_motion(const struct physics_context *context) 
     return &grains_of(context->set)->motion;
 }
 
+bool grains_solved(const struct physics_context *context) {
+    return context->scene->law.solved;
+}
+
 bool grains_touch(const struct physics_context *context) {
     return context->scene->materials > 0;
 }

@@ -26,6 +26,7 @@ struct overlaps {
 struct grains_stable {
     struct timestep_limits limits;
     double overlap_started; /* largest overlap at the start of a run, over the smaller radius */
+    double speed_most;      /* the largest expected of an impact, however long the run; length/time */
     double speed_expected;  /* the largest of an impact until the end of the run; length/time */
     struct overlaps overlaps;
 };
@@ -58,6 +59,9 @@ struct grains *grains_of(const struct physics_set *set);
 
 /* True if grains touch each other and walls: the scene has materials. */
 bool grains_touch(const struct physics_context *context);
+
+/* True if another physics finds the forces of contacts (force_context.solved), in PASS_CLOSE, and fills `sums`. */
+bool grains_solved(const struct physics_context *context);
 
 /* The walls; NULL: none. */
 struct walls *grains_walls(const struct physics_context *context);

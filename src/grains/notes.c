@@ -124,14 +124,14 @@ static void name_stiffness(const struct physics_context *c, char *text, size_t r
         snprintf(text, room, "%s of '%s' and '%s'", what, one, other);
 }
 
-/* Notes that a large grain may crush a small one, and what helps: the time step is as the overlap. */
+/* Notes that a large grain may crush a small one, and what helps: the time step is as the overlap. A solver's step is not. */
 static void look_at_squeeze(const struct physics_context *c, struct notes *notes) {
     const struct grains *grains = c->self;
     static const double small = 0.05;
     const struct overlaps *o = &grains->stable.overlaps;
     const struct scene_guards *guards = &c->scene->guards;
     char what[2 * LAW_NAME_MAX + 32];
-    if (guards->overlap == SCENE_GUARD_OFF || !(o->squeezed > guards->overlap_bound))
+    if (grains_solved(c) || guards->overlap == SCENE_GUARD_OFF || !(o->squeezed > guards->overlap_bound))
         return;
     name_stiffness(c, what, sizeof what);
     notes_add(

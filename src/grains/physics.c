@@ -99,7 +99,7 @@ static bool needs_advance(const struct physics_context *context) {
 }
 
 static bool needs_contacts(const struct physics_context *context) {
-    return context->moves_grains && grains_touch(context);
+    return context->moves_grains && grains_touch(context) && !grains_solved(context);
 }
 
 static bool needs_servo(const struct physics_context *context) {

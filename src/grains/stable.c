@@ -23,6 +23,10 @@ static double speed_expected(const struct physics_context *c, const struct sorts
 
 static void limits_find(const struct physics_context *c, const struct sorts *sorts) {
     struct grains *grains = c->self;
+    grains->stable.speed_most = speed_expected(c, sorts);
+    grains->stable.limits = (struct timestep_limits){.stable = INFINITY};
+    if (grains_solved(c))
+        return;
     struct timestep_kind *kind =
         memory_allocate(SORTS_MAX + LAW_MATERIALS_MAX, sizeof *kind, "sorts of grains");
     int n = 0;
@@ -41,7 +45,7 @@ static void limits_find(const struct physics_context *c, const struct sorts *sor
                                                                      .kinds = n,
                                                                      .kind = kind,
                                                                      .material = c->scene->material,
-                                                                     .speed_max = speed_expected(c, sorts),
+                                                                     .speed_max = grains->stable.speed_most,
                                                                      .contacts = c->scene->step.contacts,
                                                                      .dimension = c->box->dimension});
     memory_free(kind);

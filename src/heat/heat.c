@@ -348,8 +348,12 @@ static double temperature_now(const struct heat *heat, int wall) {
 }
 
 /* A grain that touches a wall, or is near one: called by the one thread that has the grain. */
-static void at_wall(void *self, size_t i, int wall, double gap, const double *record) {
+static void at_wall(void *self, const struct wall_place *place) {
     const struct at_walls *at = self;
+    size_t i = place->particle;
+    int wall = place->wall;
+    double gap = place->gap;
+    const double *record = place->record;
     struct heat *heat = at->heat;
     const struct heat_wall *given = heat->wall[wall];
     double radius = heat->context->particles->state[i].radius, flow = 0.0;

@@ -178,9 +178,9 @@ static const struct report_row stage_rows[] = {
 
 static const struct report_row solver_rows[] = {
     {.name = "name", .unit = "", .type = REPORT_TEXT, AT(struct report_solver, name),
-     .help = "the unknown: `velocity`, `pressure`, or `steady` for both at once"},
+     .help = "the unknown: `velocity`, `pressure`, or `steady` for both at once; `contacts` of contact.solver"},
     {.name = "rows", .unit = "1", .type = REPORT_COUNT, AT(struct report_solver, rows),
-     .help = "unknowns, all ranks together"},
+     .help = "unknowns, all ranks together; of contacts: contacts of the last step that may close"},
     {.name = "entries", .unit = "1", .type = REPORT_COUNT, AT(struct report_solver, entries),
      .help = "numbers that the matrix holds; 0 without a matrix"},
     {.name = "solves", .unit = "1", .type = REPORT_COUNT, AT(struct report_solver, solves),
@@ -192,7 +192,7 @@ static const struct report_row solver_rows[] = {
     {.name = "kept", .unit = "1", .type = REPORT_COUNT, AT(struct report_solver, kept),
      .help = "solves of a matrix with new values for which the old preconditioner was kept"},
     {.name = "doubtful", .unit = "1", .type = REPORT_COUNT, AT(struct report_solver, doubtful),
-     .help = "solves whose true residual was above ten times the tolerance (`guards.residual`)"},
+     .help = "solves whose true residual was above ten times the tolerance (`guards.residual`); of contacts: above the tolerance"},
     {.name = "residual", .unit = "1", .type = REPORT_REAL, AT(struct report_solver, residual), .print = "%.2g",
      .help = "true residual of the last solve, |b - A x| / |b|"},
     {.name = "residual_worst", .unit = "1", .type = REPORT_REAL, AT(struct report_solver, residual_worst), .print = "%.2g",
@@ -334,7 +334,7 @@ const struct report_row report_rows[] = {
     {.name = "setup_stages", .unit = "s", .type = REPORT_STAGES, AT(struct report, setup_stage), .rows = stage_rows,
      .help = "the same of the time before the first step, stage by stage"},
     {.name = "solvers", .unit = "", .type = REPORT_LIST, LIST(solver, solvers), .rows = solver_rows, .shown = has_solvers,
-     .help = "linear solvers of a fluid; absent without a fluid"},
+     .help = "linear solvers of a fluid, and the solver of contacts; absent without these"},
     {0}};
 
 /* clang-format on */

@@ -427,6 +427,7 @@ bool finish_scene(struct scene *scene, struct error *error) {
     finish_motion(scene);
     finish_law(scene);
     finish_newton(scene);
+    scene->law.solved = scene->physics_given[PHYSICS_hard] > 0;
     /* both ends of a bond compute the same bits, from the same positions */
     if (scene->physics_given[PHYSICS_bonds])
         scene->ghosts.in_place = true;

@@ -326,6 +326,9 @@ static bool check_step(const struct scene *scene, struct error *error) {
 }
 
 static bool check_law(const struct scene *scene, struct error *error) {
+    if (law_has_trait(scene->law.normal, "stiff") && !scene->law.solved)
+        return scene_fail(scene, error, "contact.law", "%s needs contact.solver, which finds its forces",
+                          law_row_get(scene->law.normal)->name);
     if (scene->law.tangential_damping_equal && scene->law.tangential_damping_ratio != 1)
         return scene_fail(scene, error, "contact.tangential_damping_equal",
                           "beside tangential_damping_ratio; %s", one_of_two);

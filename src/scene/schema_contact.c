@@ -188,6 +188,12 @@ static const struct schema_row contact_rows[] = {
      .traits = law_traits, .file_key = "law_file", .file_name = LAW_GIVEN_NAME, AT(struct law_options, normal), .help = "the normal force, or {file: PATH} for a law of your own; in brackets its traits, which parts of a law ask for"},
     {.key = "law_file", .type = SCHEMA_PATH, .when = "/contact.law:file", .required = true, AT(struct law_options, file),
      .help = "the C file of a law of your own (docs/user-law.md); `law: {file: mylaw.c}` is the short form", .example = "mylaw.c"},
+#define PHYSICS_SECTION(name, section, whose, summary)                                                           \
+    {.key = "solver", .type = SCHEMA_SECTION, .sub = &name##_schema, .optional = true, .main = "name",           \
+     .offset = offsetof(struct scene, physics[PHYSICS_##name]) - offsetof(struct scene, law),                \
+     .count_offset = offsetof(struct scene, physics_given[PHYSICS_##name]) - offsetof(struct scene, law), .help = summary},
+    PHYSICS_CONTACT_TABLE(PHYSICS_SECTION)
+#undef PHYSICS_SECTION
     {.key = "damping", .type = SCHEMA_NAME, .names = damping_names, .fallback = "restitution",
      AT(struct law_options, damping), .help = "source of the damping"},
     {.key = "end", .type = SCHEMA_NAME, .names = end_names, .fallback = "force",

@@ -382,7 +382,7 @@ static const struct schema_row root_rows[] = {
     {.key = #section, .type = SCHEMA_SECTION, .sub = &name##_schema, .optional = true,                       \
      .offset = offsetof(struct scene, physics[PHYSICS_##name]),                                              \
      .count_offset = offsetof(struct scene, physics_given[PHYSICS_##name]), .help = summary},
-    PHYSICS_TABLE(PHYSICS_SECTION)
+    PHYSICS_SECTION_TABLE(PHYSICS_SECTION)
 #undef PHYSICS_SECTION
 };
 const struct schema_table schema_root = TABLE(root_rows);

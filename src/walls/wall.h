@@ -250,14 +250,29 @@ void walls_set_work(struct walls *walls, double work); /* for a resume */
 /* From the next walls_build on, walls_visit finds particles whose motion is prescribed and that do not move. */
 void walls_visit_fixed(struct walls *walls);
 
+/* A place of a wall near a particle. */
+struct wall_place {
+    size_t particle;
+    int wall;
+    int32_t feature;      /* of the wall, see above */
+    double gap;           /* between the surfaces; overlaps are negative */
+    double normal[3];     /* unit vector from the centre of the particle to the wall */
+    double velocity[3];   /* of the wall there, in the last half step, with that of a surface that moves */
+    double at[3];         /* the point of the wall, box-relative, in the wall's own image */
+    const double *record; /* of the contact, in the history of the law; NULL: none */
+};
+
 /* Calls `visitor` for each owned particle and each place of a wall whose surface is nearer than `range` to that
- * of the particle, with the gap between the surfaces (overlaps are negative) and the record of the contact in the history (NULL:
- * none). `range` lies within the range of
- * the interactions, for which walls_build has found the particles near walls. Each thread takes its own
- * particles; a particle belongs to one thread. Many threads at once, with different `thread`. */
-typedef void walls_visitor(void *context, size_t particle, int wall, double gap, const double *record);
+ * of the particle. `range` lies within the range of the interactions, for which walls_build has found the particles near
+ * walls. Each thread takes its own particles, in increasing order, thread after thread; a particle belongs to one
+ * thread. Many threads at once, with different `thread`. */
+typedef void walls_visitor(void *context, const struct wall_place *place);
 void walls_visit(const struct walls *walls, const struct particles *particles, int thread, double range,
                  walls_visitor *visitor, void *context);
+
+/* Adds a force on the wall at such a place to the loads of the evaluation that walls_finish ends, where these
+ * are not summed exactly. Many threads at once, with different `thread`. */
+void walls_push(struct walls *walls, int thread, const struct wall_place *place, const double force[3]);
 
 /* What one contact does to a wall. */
 struct wall_load {

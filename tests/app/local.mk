@@ -37,6 +37,7 @@ dist_check_SCRIPTS += \
 	tests/app/restart.sh \
 	tests/app/resume.sh \
 	tests/app/site.sh \
+	tests/app/solver.sh \
 	tests/app/stability.sh \
 	tests/app/stages.sh \
 	tests/app/terminal.sh \

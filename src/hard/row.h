@@ -1,0 +1,208 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
+/* One row of a contact problem: a contact between two bodies, and its visit by Gauss and Seidel. Geometry and
+ * mechanics alone: no lists, no threads, no ranks.
+ *
+ * In a step of length dt the impulse of a contact is p n + q, of which n points from the first body to the second
+ * and q lies in the tangent plane; the second body gets it, the first one the opposite. With u the velocity of the
+ * second surface relative to the first at the end of the step:
+ *
+ *   normal      p = max(0, -(u_n + bias) / soft_n)      soft_n = 1 / (stiffness x dt x duration)
+ *   tangential  q = hold - u_t / soft_t, cut to |q| <= friction p
+ *
+ * `bias` is the gap over dt (negative: overlap), so that the normal row is a spring at its length at the end of the
+ * step, and a gap may close but not be overshot. soft_n = 0 is a rigid row. `hold` is the tangential impulse of the
+ * step before: the tangential row is a spring, too, so that a contact which sticks does not creep.
+ * Impulses act over `duration`, which is dt, or half of it in the first evaluation of a run.
+ *
+ * No operation prefers one of the bodies: with these exchanged and the normal turned round all results are the same to
+ * the last bit.
+ *
+ * A row with `hertz` > 0 has the elastic force hertz y^(3/2) of the overlap y at the end of the step, and a dashpot;
+ * its equation is solved exactly in each visit. */
+#ifndef SCREE_HARD_ROW_H
+#define SCREE_HARD_ROW_H
+
+#include <math.h>
+#include <stdbool.h>
+#include <stdint.h>
+
+/* A body: velocity and spin, 1/mass and 1/moment of inertia. A wall has zeros for these. */
+struct hard_body {
+    double v[3], lightness;
+    double w[3], swing;
+};
+
+/* A contact. Lengths, velocities and impulses in the units of the scene. */
+struct hard_row {
+    uint32_t body[2];
+    double normal[3];
+    double lever[2];       /* from the centres to the point of contact */
+    double gap;            /* between the surfaces at the start of the step; negative: overlap */
+    double bias;           /* velocity */
+    double soft_n, soft_t; /* velocity over impulse */
+    double release;        /* largest speed at which an overlap is released; INFINITY: any */
+    double friction;       /* Coulomb's coefficient */
+    double hertz;          /* impulse over overlap^(3/2); 0: a linear row */
+    double damper;         /* of such a row: impulse over velocity and overlap^(1/4) */
+    double shear;    /* of such a row: impulse over distance and overlap^(1/2) of its tangential spring */
+    double deep;     /* of such a row: its overlap at the last visit */
+    double approach; /* speed of approach at the start of the step, free of this step's impulses */
+    double restitution;
+    bool
+        impact; /* a new contact that approaches so fast that it rebounds; the next step begins without its impulses */
+    double p, q[3];
+    double hold[3];
+};
+
+static inline double hard_dot(const double a[3], const double b[3]) {
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+static inline void hard_cross(const double a[3], const double b[3], double out[3]) {
+    out[0] = a[1] * b[2] - a[2] * b[1];
+    out[1] = a[2] * b[0] - a[0] * b[2];
+    out[2] = a[0] * b[1] - a[1] * b[0];
+}
+
+/* Change of the relative normal velocity by a unit impulse; the same for a tangential one. */
+static inline double hard_push(const struct hard_body *a, const struct hard_body *b) {
+    return a->lightness + b->lightness;
+}
+static inline double hard_slide(const struct hard_row *row, const struct hard_body *a,
+                                const struct hard_body *b) {
+    return (a->lightness + b->lightness) +
+           (row->lever[0] * row->lever[0] * a->swing + row->lever[1] * row->lever[1] * b->swing);
+}
+
+/* The velocity of the second surface relative to the first. */
+static inline void hard_velocity(const struct hard_row *row, const struct hard_body *a,
+                                 const struct hard_body *b, double u[3]) {
+    double turn[3], rolled[3];
+    for (int d = 0; d < 3; d++)
+        turn[d] = row->lever[0] * a->w[d] + row->lever[1] * b->w[d];
+    hard_cross(turn, row->normal, rolled);
+    for (int d = 0; d < 3; d++)
+        u[d] = b->v[d] - a->v[d] - rolled[d];
+}
+
+/* Adds the impulse p n + q to the bodies. */
+static inline void hard_apply(const struct hard_row *row, struct hard_body *a, struct hard_body *b, double p,
+                              const double q[3]) {
+    double turn[3];
+    hard_cross(row->normal, q, turn);
+    for (int d = 0; d < 3; d++) {
+        double impulse = p * row->normal[d] + q[d];
+        a->v[d] -= a->lightness * impulse;
+        b->v[d] += b->lightness * impulse;
+        a->w[d] -= row->lever[0] * a->swing * turn[d];
+        b->w[d] -= row->lever[1] * b->swing * turn[d];
+    }
+}
+
+/* The normal impulse of a row of Hertz: the root of y (1 + a c) + a dt k y^(3/2) = -(gap + dt u_free) - a c gap,
+ * whose left side is convex, from above by Newton; the damper has the overlap of the last visit. */
+static inline double hard_hertz(struct hard_row *row, double dt, double a, double free) {
+    double c = row->damper * sqrt(sqrt(row->deep)), linear = 1.0 + a * c;
+    double steep = a * dt * row->hertz, goal = -(row->gap + dt * free) - a * c * row->gap;
+    if (!(goal > 0.0)) {
+        row->deep = 0.0;
+        return 0.0;
+    }
+    double y = goal / linear;
+    if (steep > 0.0)
+        y = fmin(y, cbrt((goal / steep) * (goal / steep)));
+    for (int k = 0; k < 8; k++) {
+        double root = sqrt(y), miss = y * (linear + steep * root) - goal;
+        y -= miss / (linear + 1.5 * steep * root);
+    }
+    row->deep = y;
+    return fmax(0.0, row->hertz * y * sqrt(y) + c * (y + row->gap) / dt);
+}
+
+/* The impulses that the row wants while those of all others stay: a visit without its effect on the bodies. */
+static inline void hard_wish(struct hard_row *row, double dt, const struct hard_body *a,
+                             const struct hard_body *b, double *p, double q[3]) {
+    double u[3], push = hard_push(a, b), soft_t = row->soft_t;
+    hard_velocity(row, a, b, u);
+    double u_n = hard_dot(u, row->normal), free = u_n - push * row->p;
+    q[0] = q[1] = q[2] = 0.0;
+    *p = 0.0;
+    if (!(push > 0.0))
+        return;
+    if (row->hertz > 0.0) {
+        *p = hard_hertz(row, dt, push, free);
+        soft_t = row->deep > 0.0 && row->shear > 0.0 ? 1.0 / (row->shear * sqrt(row->deep)) : 0.0;
+    } else {
+        *p = fmax(0.0, -(free + row->bias) / (push + row->soft_n));
+        *p = fmin(*p, fmax(0.0, (row->release - free) / push));
+    }
+    double limit = row->friction * *p;
+    if (!(limit > 0.0))
+        return;
+    double slide = hard_slide(row, a, b), square = 0.0;
+    for (int d = 0; d < 3; d++) {
+        q[d] = (slide * row->q[d] - (u[d] - u_n * row->normal[d]) + soft_t * row->hold[d]) / (slide + soft_t);
+        square += q[d] * q[d];
+    }
+    if (square > limit * limit) {
+        double keep = limit / sqrt(square);
+        for (int d = 0; d < 3; d++)
+            q[d] *= keep;
+    }
+}
+
+/* Gives the bodies the change of the row's impulses. */
+static inline void hard_change(struct hard_row *row, struct hard_body *a, struct hard_body *b, double p,
+                               const double q[3]) {
+    double more[3] = {q[0] - row->q[0], q[1] - row->q[1], q[2] - row->q[2]};
+    hard_apply(row, a, b, p - row->p, more);
+    row->p = p;
+    row->q[0] = q[0];
+    row->q[1] = q[1];
+    row->q[2] = q[2];
+}
+
+static inline void hard_visit(struct hard_row *row, double dt, struct hard_body *a, struct hard_body *b) {
+    double p, q[3];
+    hard_wish(row, dt, a, b, &p, q);
+    hard_change(row, a, b, p, q);
+}
+
+/* Energy in the springs of a row, which act over `duration`: normal, tangential. */
+static inline void hard_stored(const struct hard_row *row, double dt, double duration, double stored[2]) {
+    double share = 0.5 * dt / duration, soft_t = row->soft_t;
+    if (row->hertz > 0.0) {
+        double root = sqrt(row->deep);
+        stored[0] = 0.4 * row->hertz / duration * row->deep * row->deep * root;
+        soft_t = row->shear * root > 0.0 ? 1.0 / (row->shear * root) : 0.0;
+    } else {
+        stored[0] = share * row->soft_n * row->p * row->p;
+    }
+    stored[1] = share * soft_t * hard_dot(row->q, row->q);
+}
+
+/* True if the row takes part in the pass of restitution. */
+static inline bool hard_rebounds(const struct hard_row *row) {
+    return row->impact && row->restitution > 0.0 && row->p > 0.0;
+}
+
+/* A visit of the pass of restitution: the relative normal velocity becomes restitution x approach; the tangential row
+ * is rigid. */
+static inline void hard_rebound(struct hard_row *row, struct hard_body *a, struct hard_body *b) {
+    double u[3], q[3], square = 0.0, push = hard_push(a, b), slide = hard_slide(row, a, b);
+    if (!(push > 0.0))
+        return;
+    hard_velocity(row, a, b, u);
+    double u_n = hard_dot(u, row->normal);
+    double p = fmax(0.0, row->p + (row->restitution * row->approach - u_n) / push);
+    for (int d = 0; d < 3; d++) {
+        q[d] = row->friction > 0.0 ? row->q[d] - (u[d] - u_n * row->normal[d]) / slide : 0.0;
+        square += q[d] * q[d];
+    }
+    double limit = row->friction * p, keep = square > limit * limit ? limit / sqrt(square) : 1.0;
+    for (int d = 0; d < 3; d++)
+        q[d] *= keep;
+    hard_change(row, a, b, p, q);
+}
+
+#endif

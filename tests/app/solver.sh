@@ -1,0 +1,131 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: BSD-3-Clause
+# Hard contacts in whole runs: a bed with a boulder comes to rest on any layout; threads and indexes give the same bits; a resume goes
+# on from the forces of the checkpoint; a grain on a belt ends with 2/7 of its speed; scenes that the solver does not know are refused by name.
+
+. "$(dirname "$0")/common.sh"
+cd "$out" || exit 1
+cat >bed.yaml <<'EOS'
+box: {lower: [0, 0, 0], upper: [8 mm, 8 mm, 40 mm], periodic: [true, true, false]}
+gravity: [0, 0, -9.81]
+step: {dt: 1e-4, count: 1600}
+contact: {law: rigid, solver: {sweeps: 30, tolerance: 0}}
+materials: [{name: glass, density: 2500}]
+material_pairs: [{restitution: 0.3, friction: 0.4}]
+walls: [{shape: plane, name: floor, point: [0, 0, 0], normal: [0, 0, 1]}]
+particles:
+  sources:
+    - {from: random, region: {shape: box, lower: [0, 0, 1 mm], upper: [8 mm, 8 mm, 16 mm]}, count: 60, sizes: {radius: 1 mm}}
+    - {from: single, position: [4 mm, 4 mm, 20 mm], radius: 3 mm}
+output: {dump: {every: {steps: 800}, fields: [position, velocity, angular_velocity]}}
+observables: {every: {steps: 100}, list: [{name: wall_force}, {name: energy_kinetic}, {name: overlap_max}, {name: contacts}, {name: contact_sweeps}, {name: contact_residual}, {name: coordination}, {name: stress}, {name: momentum}]}
+EOS
+weight=$(awk 'BEGIN { print -(60 * 1e-9 + 27e-9) * 4 / 3 * atan2(0, -1) * 2500 * 9.81 }')
+
+# rows DIR: the particles of the last frame, by id
+rows() { awk '/^ITEM: ATOMS/ { n = 0; reading = 1; next } /^ITEM:/ { reading = 0; next }
+    reading { line[++n] = $0 } END { for (k = 1; k <= n; k++) print line[k] }' "$1/dump.lammpstrj" | sort -n; }
+same() { [ -s "$1/dump.lammpstrj" ] && cmp <(rows "$1") <(rows "$2"); }
+
+rests() { # DIR: at rest, all of the weight on the floor, no overlap beyond a thousandth
+    local file=$1/observables.csv
+    within "$(last_of "$file" floor_fz)" "$weight" "$(awk -v w="$weight" 'BEGIN { print -0.02 * w }')" &&
+        within "$(last_of "$file" energy_kinetic)" 0 1e-8 &&
+        within "$(last_of "$file" overlap_max)" 0 1e-3
+}
+
+check 'one rank, one thread' run_scene 1 bed.yaml one --set threads=1
+check 'it rests' rests one
+check 'two threads' run_scene 1 bed.yaml threads --set threads=2
+check 'the same bits' same one threads
+for index in linkcell brute; do
+    check "index $index" run_scene 1 bed.yaml "$index" --set threads=1 --set index=$index
+    check 'the same bits' same one "$index"
+done
+for ranks in 2 3; do
+    check "$ranks ranks" run_scene $ranks bed.yaml ranks$ranks --set threads=1
+    check 'it rests' rests ranks$ranks
+done
+check '2 ranks, newton off, 2 threads' run_scene 2 bed.yaml off --set threads=2 --set newton=false
+check 'it rests' rests off
+check 'rigid rows' run_scene 1 bed.yaml stiff --set threads=1 --set contact.solver.kappa=.inf --set contact.solver.sweeps=100
+check 'it rests' rests stiff
+check 'Hertz at 70 GPa' run_scene 1 bed.yaml hertz --set threads=1 --set contact='{law: hertz, solver: {sweeps: 30}}' --set materials[0].young=70e9 \
+    --set materials[0].poisson=0.2
+check 'it rests' rests hertz
+check 'a linear spring' run_scene 1 bed.yaml hooke --set threads=1 --set contact='{law: hooke, solver: {sweeps: 30}}' --set material_pairs[0].k_n=1e5
+check 'it rests' rests hooke
+weights() { # the contact list has the forces that the floor feels
+    local file=one/observables.csv
+    within "$(last_of "$file" coordination)" "$(awk -v n="$(last_of "$file" contacts)" 'BEGIN { print 2 * n / 61 }')" 0.5
+}
+check 'contacts are listed' weights
+
+check 'a run with a checkpoint' run_scene 1 bed.yaml whole --set threads=1 --set output.checkpoint.every=800
+check 'a run that goes on from it' run_scene 1 bed.yaml rest --set threads=1 --resume whole/checkpoint-800.h5
+check 'the same bits' same whole rest
+check 'on two ranks' run_scene 2 bed.yaml rest2 --set threads=1 --resume whole/checkpoint-800.h5
+check 'it rests' rests rest2
+
+# A grain set on a belt of the speed V = 2 slides, then rolls with 2/7 V: the belt has done the work 2/7 m V^2, half of which is lost
+cat >belt.yaml <<'EOS'
+units: none
+box: {lower: [0, 0, 0], upper: [8, 2, 2]}
+gravity: [0, 0, -10]
+step: {count: 400, dt: 1e-3}
+contact: {law: rigid, solver: {sweeps: 30}}
+materials: [{name: a, density: 1}]
+material_pairs: [{restitution: 0.3, friction: 0.5}]
+walls: [{name: belt, shape: plane, point: [0, 0, 0.5], normal: [0, 0, 1], motion: [{kind: translate, surface: true, velocity: [2, 0, 0]}]}]
+particles: {from: single, position: [1, 1, 0.7], radius: 0.2}
+observables: {every: 200, list: [{name: energy_kinetic}, {name: energy_rotational}, {name: work_walls}, {name: energy_dissipated}, {name: momentum}]}
+EOS
+belt() { # MASS RANKS SETTING...: ends as the closed form says
+    local file=rolls/observables.csv m=$1
+    rm -rf rolls && run_scene "$2" belt.yaml rolls --set threads=1 "${@:3}" &&
+        within "$(last_of "$file" momentum_x)" "$(awk -v m="$m" 'BEGIN { print m * 4 / 7 }')" 1e-4 &&
+        within "$(last_of "$file" energy_rotational)" "$(awk -v m="$m" 'BEGIN { print m * 20 / 49 }')" 1e-4 &&
+        within "$(last_of "$file" work_walls)" "$(awk -v m="$m" 'BEGIN { print m * 8 / 7 }')" 3e-4 &&
+        within "$(last_of "$file" energy_dissipated)" "$(awk -v m="$m" 'BEGIN { print m * 4 / 7 }')" 3e-4
+}
+sphere=0.0335103216 disc=0.1256637061
+check 'a grain on a belt: 2/7 of its speed, its work, half of it lost' belt $sphere 1
+check 'the same on 2 ranks' belt $sphere 2
+check 'a belt of triangles' belt $sphere 1 --set 'walls[belt]={name: belt, shape: rectangle, point: [0.5, 0.5, 0.5], along: [7, 0, 0], across: [0, 1, 0], motion: [{kind: translate, surface: true, velocity: [2, 0, 0]}]}'
+check 'discs by their area' belt $disc 1 --set 'box={dimension: 2, density: area, lower: [0, 0], upper: [8, 2]}' --set 'gravity=[0, -10]' --set 'particles.position=[1, 0.7]' \
+    --set 'walls=[{name: belt, shape: plane, point: [0, 0.5], normal: [0, 1], motion: [{kind: translate, surface: true, velocity: [2, 0]}]}]'
+many=$(for k in $(seq 60); do printf '{name: m%d, density: 1}, ' "$k"; done)
+check 'sixty materials' belt $sphere 1 --set "materials=[$many{name: a, density: 1}]" --set 'particles.material=a' --set 'walls[belt].material=a' \
+    --set 'material_pairs=[{restitution: 0.3, friction: 0.1}, {between: [a, a], restitution: 0.3, friction: 0.5}]'
+
+refuses() { # WORDS FLAG...: exit status 2, one message that begins with the place and has the words
+    "$scree" check bed.yaml "${@:2}" >said 2>&1
+    [ $? = 2 ] || { cat said; return 1; }
+    holds said "$1"
+}
+check 'a rigid law without a solver' refuses 'contact.law: rigid needs contact.solver' --set contact='{law: rigid}'
+check 'a law without a form' refuses 'bed.yaml:4: contact.solver: goes with contact.law hooke, hertz, rigid, not with eepa' --set contact.law=eepa \
+    --set materials[0].young=1e7 --set materials[0].poisson=0.2 --set material_pairs[0].plasticity_ratio=0.5
+check 'cohesion' refuses 'cohesion' --set contact.cohesion=sjkr --set material_pairs[0].cohesion_density=1
+check 'rolling' refuses 'rolling' --set contact.rolling=spring
+check 'viscous friction' refuses 'tangential' --set contact.tangential=viscous
+check 'drag' refuses 'drag: does not go with contact.solver yet' --set 'drag={law: stokes, fluid: {density: 1, viscosity: 1e-3, velocity: [0, 0, 0]}}'
+check 'reproducible' refuses 'reproducible: does not go with contact.solver yet; allowed with it: false' --set reproducible=true
+check 'heat' refuses 'heat: does not go with contact.solver yet' --set 'heat={materials: [{conductivity: 1, capacity: 1}]}'
+check 'bonds' refuses 'bonds: does not go with contact.solver yet' --set 'bonds={laws: [{k_n: 1e9, k_s: 1e9}]}'
+check 'a servo' refuses 'no servo' --set 'walls[0].motion=[{kind: servo, direction: [0, 0, 1], force: 1, speed_max: 1}]'
+check 'a box that moves' refuses 'contact.solver: does not go with a box that moves' --set 'box.periodic=true' --set walls=[] --set box.shear=1
+check 'full elasticity' refuses 'restitution is 1; allowed with contact.solver are 0 to 0.95' --set material_pairs[0].restitution=1
+check 'a step that is too long' refuses 'step.dt: the time step 0.01 is above' --set step.dt=0.01
+check 'an unknown method' refuses 'gauss_seidel' --set contact.solver.name=jacobi
+check 'loads on walls' refuses 'output.walls: does not go' --set output.walls.every.steps=10
+guarded() {
+    on 1 "$scree" run bed.yaml -o guarded --quiet --set threads=1 --set guards.residual=stop --set contact.solver='{sweeps: 1, tolerance: 1e-9}' >said 2>&1
+    [ $? = 3 ] && holds said 'guards.residual: the residual of the contacts'
+}
+check 'a residual that is not met ends the run if the scene says so' guarded
+proposes() { "$scree" check bed.yaml --set step.dt=~ >said 2>&1; holds said 'solver of contacts'; }
+check 'check proposes a step' proposes
+soft() { "$scree" check bed.yaml --set contact.solver.kappa=1e-3 >said 2>&1; holds said 'NOTE: less than three times the expected speed' && holds said 'NOTE: more than 0.01'; }
+check 'check says that a medium is too soft' soft
+finish
