@@ -111,9 +111,9 @@ EXTRA_DIST += docs/results/scaling/hybrid.jsonl docs/results/scaling/lengths.jso
 
 # The pages that the program writes, after a change of the schema, a field, an observable, a stage or the report
 .PHONY: pages
-pages: src/scene/document src/engine/document
-	src/scene/document >scene.md.new && mv scene.md.new $(top_srcdir)/docs/scene.md
-	src/engine/document <$(top_srcdir)/docs/output.md >output.md.new && mv output.md.new $(top_srcdir)/docs/output.md
+pages: src/data/scene/document_scene src/engine/document_output
+	src/data/scene/document_scene >scene.md.new && mv scene.md.new $(top_srcdir)/docs/scene.md
+	src/engine/document_output <$(top_srcdir)/docs/output.md >output.md.new && mv output.md.new $(top_srcdir)/docs/output.md
 EXTRA_DIST += docs/pores.md docs/images/bead-packing.png docs/images/settling.png docs/images/tumbling.png docs/images/bed-erosion.png docs/images/two-sizes.png docs/results/pores
 
 # The pages as a site, from the source tree, where links from page to page hold; warnings, broken links too, are errors

@@ -2,8 +2,8 @@
 /* The wrappers: the only place that calls through the table of an index. */
 #include "index/index.h"
 
-#include "core/memory.h"
-#include "core/timer.h"
+#include "base/memory.h"
+#include "base/timer.h"
 
 #include <assert.h>
 #include <stdio.h>

@@ -42,14 +42,14 @@
  *   destroy      once                                its own state                one
  *
  * How to add an index, in six steps:
- *   1. Copy index/brute.c to index/NAME.c: it is the oracle of every test and the shortest example. An index
- *      on grids is a plan for the body that they share: index/linkcell.c.
+ *   1. Copy index/methods/brute.c to index/NAME.c: it is the oracle of every test and the shortest example. An index
+ *      on grids is a plan for the body that they share: index/methods/linkcell.c.
  *   2. Put your state into a struct whose first member is `struct index base`; the build makes it, from all
  *      particles, copies included.
  *   3. Fill one `const struct index_ops NAME_ops` with designated initialisers, no casts. `applicable`,
  *      `stays`, `order`, `check`, `trials` and `select` may be NULL, as in brute; the tests want a `check` of every
  *      index but brute. An index without cells describes no levels.
- *   4. Declare it in index/registry.c, and add one entry at the end of its table. No other file of the
+ *   4. Declare it in index/methods/registry.c, and add one entry at the end of its table. No other file of the
  *      program knows the name; tests/app take the names from `scree help index.name`.
  *   5. Add the file to index/local.mk. tests/index/test_index, test_levels and test_wanted compare every
  *      registered index with `brute`, tests/app/density.sh does so on several ranks.
@@ -60,8 +60,8 @@
 #ifndef SCREE_INDEX_INDEX_H
 #define SCREE_INDEX_INDEX_H
 
-#include "core/error.h"
-#include "core/image.h"
+#include "base/error.h"
+#include "base/image.h"
 #include <math.h>
 #include <stdbool.h>
 #include <stddef.h>
@@ -128,7 +128,7 @@ enum index_instructions { INDEX_BEST, INDEX_PLAIN, INDEX_AVX2, INDEX_AVX512 };
 enum index_cross { INDEX_CROSS_AUTO, INDEX_CROSS_SMALLER, INDEX_CROSS_LARGER };
 
 /* Receives pairs. The index writes pair k to i[k], j[k] while k < capacity, and counts on beyond; a sink with
- * capacity 0 only counts. j carries the code of the image that is added to j (core/image.h) in its upper 5
+ * capacity 0 only counts. j carries the code of the image that is added to j (base/image.h) in its upper 5
  * bits: j | code << 27. The index may overwrite the arrays up to INDEX_SINK_PAD entries beyond `count`, if
  * within capacity: the owner of the arrays allocates capacity + INDEX_SINK_PAD. */
 struct index_sink {

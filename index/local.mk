@@ -1,22 +1,22 @@
 # SPDX-License-Identifier: BSD-3-Clause
 noinst_LTLIBRARIES += libindex.la
 libindex_la_SOURCES = \
-	index/auto.c \
-	index/brute.c \
-	index/bytype.c \
-	index/exact.h \
-	index/hgrid.c \
+	index/methods/auto.c \
+	index/methods/brute.c \
+	index/methods/bytype.c \
+	index/exact_test.h \
+	index/methods/hgrid.c \
 	index/index.c \
 	index/index.h \
-	index/linkcell.c \
-	index/multi.c \
-	index/registry.c \
-	index/choose/auto.h \
+	index/methods/linkcell.c \
+	index/methods/multi.c \
+	index/methods/registry.c \
+	index/choose/auto_choose.h \
 	index/choose/auto_choose.c \
 	index/choose/cost.c \
 	index/choose/cost.h \
-	index/choose/prices.c \
-	index/choose/prices.h \
+	index/prices.c \
+	index/prices.h \
 	index/grids/cells.c \
 	index/grids/cells.h \
 	index/grids/cells_follow.c \
@@ -27,19 +27,19 @@ libindex_la_SOURCES = \
 	index/grids/cells_table.h \
 	index/grids/cross.c \
 	index/grids/cross.h \
-	index/grids/frame.c \
-	index/grids/frame.h \
+	index/grids/grid_frame.c \
+	index/grids/grid_frame.h \
 	index/grids/grid.c \
 	index/grids/grid.h \
-	index/grids/levels.c \
-	index/grids/levels.h \
-	index/grids/levels_index.c \
-	index/grids/levels_index.h \
+	index/levels/levels.c \
+	index/levels/levels.h \
+	index/levels/levels_index.c \
+	index/levels/levels_index.h \
 	index/grids/levels_parts.h \
-	index/grids/levels_plan.c \
-	index/grids/levels_plan.h \
-	index/grids/levels_stay.c \
-	index/grids/levels_stay.h \
+	index/levels/levels_plan.c \
+	index/levels/levels_plan.h \
+	index/levels/levels_stay.c \
+	index/levels/levels_stay.h \
 	index/grids/locate.c \
 	index/grids/locate.h \
 	index/grids/members.c \
@@ -58,4 +58,4 @@ libindex_la_SOURCES = \
 	index/search/search_pairs.h \
 	index/search/search_plain.c \
 	index/search/search_rows.h \
-	index/search/sizes.h
+	index/search_sizes.h

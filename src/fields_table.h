@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* The fields that grains have in some scenes: one row each, with the function of their owner that registers
- * them, and the condition in terms of `scene` (scene/scene.h) and `law` (contact/law.h). particles/fields.h has
+ * them, and the condition in terms of `scene` (data/scene/scene.h) and `law` (physics/grains/laws/law.h). kernel/particles/fields.h has
  * the recipe. scene_register registers those of a scene, frame_register_all all of them: for the pages, for
  * help, and for files that other scenes wrote. A physics registers by itself the fields that only some of its scenes have, in
  * its `create`: for these the condition is `false`. */

@@ -6,9 +6,9 @@
  * its rank (newton is then off); BODIES if its own particles meet nobody; GRAINS if it makes none:
  *
  *   NAME_physics      struct physics              engine/physics.h
- *   NAME_schema       struct schema_table         the rows of its section (scene/schema.h)
- *   NAME_fields       void (struct particles *)   registers its fields (particles/fields.h)
- *   NAME_observables  struct observable_table     its observables (observe/observables_kinds.h)
+ *   NAME_schema       struct schema_table         the rows of its section (data/scene/schema.h)
+ *   NAME_fields       void (struct particles *)   registers its fields (kernel/particles/fields.h)
+ *   NAME_observables  struct observable_table     its observables (data/observe/observables_kinds.h)
  *
  * PHYSICS_ALWAYS has those that every run has, before all others, as the first list of pairs is theirs. A row stands for
  *
@@ -29,7 +29,7 @@
     ROW(bodies, bodies, BODIES, "rigid bodies of spheres, which may overlap")                                \
     ROW(fluid, fluid, OWN, "an incompressible fluid around grains and between walls (implicit SPH)")
 
-/* Physics whose sections stand in `contact` (scene/schema_contact.c); PHYSICS_TABLE: all that a scene may ask for. */
+/* Physics whose sections stand in `contact` (data/scene/schema_contact.c); PHYSICS_TABLE: all that a scene may ask for. */
 #define PHYSICS_CONTACT_TABLE(ROW)                                                                           \
     ROW(hard, contact.solver, GRAINS,                                                                        \
         "a solver finds the forces of contacts at the end of each step: long steps for stiff grains")

@@ -5,11 +5,11 @@
  *
  *   bench_force [THREADS [EDGE [KERNEL [LAW]]]]     EDGE^3 spheres; LAW: smooth, rough (LAMMPS's
  * gran/hooke/history), hooke, hertz, rolling */
-#include "contact/force.h"
-#include "core/memory.h"
-#include "core/random.h"
-#include "core/timer.h"
-#include "integrate/integrator.h"
+#include "physics/grains/batch/force.h"
+#include "base/memory.h"
+#include "base/random.h"
+#include "base/timer.h"
+#include "physics/grains/motion/integrator.h"
 #include "tests/fields_by_hand.h"
 #include "tests/own_law.h"
 #include <omp.h>

@@ -13,8 +13,8 @@
  * program computes.
  *
  * One line of JSON each: the fastest of ten repetitions, by wall clock. */
-#include "core/memory.h"
-#include "core/timer.h"
+#include "base/memory.h"
+#include "base/timer.h"
 #include <omp.h>
 #include <stdint.h>
 #include <stdio.h>

@@ -4,9 +4,9 @@
  * keeps for itself.
  *
  *     checkpoint_lines CHECKPOINT */
-#include "comm/comm.h"
-#include "formats/checkpoint.h"
-#include "particles/fields.h"
+#include "kernel/comm/comm.h"
+#include "data/formats/checkpoint.h"
+#include "kernel/particles/fields.h"
 #include "tests/fields_by_hand.h"
 
 #include <stdio.h>

@@ -3,10 +3,10 @@
 #ifndef SCREE_TESTS_CLOUD_BY_HAND_H
 #define SCREE_TESTS_CLOUD_BY_HAND_H
 
-#include "core/memory.h"
-#include "core/random.h"
-#include "pairs/pairlist.h"
-#include "pairs/classes_choose.h"
+#include "base/memory.h"
+#include "base/random.h"
+#include "kernel/pairs/pairlist.h"
+#include "kernel/pairs/classes_choose.h"
 
 #include <setjmp.h>
 #include <stdarg.h>

@@ -3,10 +3,10 @@
 #ifndef TESTS_FIELDS_BY_HAND_H
 #define TESTS_FIELDS_BY_HAND_H
 
-#include "particles/material.h"
-#include "particles/spin.h"
-#include "particles/groups.h"
-#include "particles/fields.h"
+#include "kernel/particles/material.h"
+#include "kernel/particles/spin.h"
+#include "kernel/particles/groups.h"
+#include "kernel/particles/fields.h"
 
 enum { WITH_SPIN = 1, WITH_MATERIAL = 2, WITH_GROUP = 4, WITH_IMAGE = 8, WITH_ALL = 15, WITH_OTHERS = 16 };
 

@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* Particles of a fluid in a periodic square or cube. Read fluid_cloud.h first. */
 #include "fluid_cloud.h"
-#include "core/memory.h"
-#include "core/random.h"
-#include "pairs/classes_choose.h"
-#include "fluid/body.h"
+#include "base/memory.h"
+#include "base/random.h"
+#include "kernel/pairs/classes_choose.h"
+#include "physics/fluid/lattice/body_surfaces.h"
 #include <math.h>
 #include <omp.h>
 #include <setjmp.h>

@@ -4,9 +4,9 @@
 #ifndef SCREE_TESTS_FLUID_CLOUD_H
 #define SCREE_TESTS_FLUID_CLOUD_H
 
-#include "fluid/arrangement.h"
-#include "fluid/operators.h"
-#include "particles/kinds.h"
+#include "physics/fluid/lattice/arrangement.h"
+#include "physics/fluid/operators/operators.h"
+#include "kernel/particles/kinds.h"
 
 /* A periodic unit square or cube of n particles a side, displaced at random. */
 struct fluid_cloud {

@@ -3,9 +3,9 @@
 #ifndef SCREE_TESTS_FORCES_BY_HAND_H
 #define SCREE_TESTS_FORCES_BY_HAND_H
 
-#include "contact/force.h"
-#include "contact/law_kernel.h"
-#include "core/random.h"
+#include "physics/grains/batch/force.h"
+#include "physics/grains/laws/law_kernel.h"
+#include "base/random.h"
 #include "pairs_by_hand.h"
 #include "near.h"
 #include "tests/fields_by_hand.h"

@@ -3,7 +3,7 @@
 #ifndef SCREE_TESTS_LAW_PARTS_BY_HAND_H
 #define SCREE_TESTS_LAW_PARTS_BY_HAND_H
 
-#include "contact/law_general.h"
+#include "physics/grains/laws/law_general.h"
 #include "laws_by_hand.h"
 
 static const struct law_extra sticky = {.surface_energy = 0.5,

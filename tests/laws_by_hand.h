@@ -3,9 +3,9 @@
 #ifndef SCREE_TESTS_LAWS_BY_HAND_H
 #define SCREE_TESTS_LAWS_BY_HAND_H
 
-#include "contact/law.h"
-#include "contact/law_kernel.h"
-#include "core/random.h"
+#include "physics/grains/laws/law.h"
+#include "physics/grains/laws/law_kernel.h"
+#include "base/random.h"
 #include <string.h>
 #include "near.h"
 #include "tests/own_law.h"

@@ -3,7 +3,7 @@
 #ifndef SCREE_TESTS_OWN_LAW_H
 #define SCREE_TESTS_OWN_LAW_H
 
-#include "contact/law.h"
+#include "physics/grains/laws/law.h"
 
 #define OWN_LAW __attribute__((cleanup(law_free))) struct law
 

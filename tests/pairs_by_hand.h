@@ -3,8 +3,8 @@
 #ifndef SCREE_TESTS_PAIRS_BY_HAND_H
 #define SCREE_TESTS_PAIRS_BY_HAND_H
 
-#include "core/memory.h"
-#include "pairs/pairlist.h"
+#include "base/memory.h"
+#include "kernel/pairs/pairlist.h"
 #include <math.h>
 #include <string.h>
 

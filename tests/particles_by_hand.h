@@ -3,8 +3,8 @@
 #ifndef SCREE_TESTS_PARTICLES_BY_HAND_H
 #define SCREE_TESTS_PARTICLES_BY_HAND_H
 
-#include "core/random.h"
-#include "particles/particles.h"
+#include "base/random.h"
+#include "kernel/particles/particles.h"
 #include "tests/fields_by_hand.h"
 
 /* `n` particles at random, with ids from 1000 down. */

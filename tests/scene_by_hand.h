@@ -3,9 +3,9 @@
 #ifndef SCREE_TESTS_SCENE_BY_HAND_H
 #define SCREE_TESTS_SCENE_BY_HAND_H
 
-#include "core/memory.h"
-#include "scene/scene_particles.h"
-#include "scene/scene_read.h"
+#include "base/memory.h"
+#include "data/scene/scene_particles.h"
+#include "data/scene/scene_read.h"
 #include "tests/fields_by_hand.h"
 
 #include <stdarg.h>

@@ -3,7 +3,7 @@
 #ifndef SCREE_TESTS_SURFACE_BY_HAND_H
 #define SCREE_TESTS_SURFACE_BY_HAND_H
 
-#include "walls/wall_mesh.h"
+#include "physics/grains/walls/wall_mesh.h"
 #include "mesh_by_hand.h"
 
 static const struct wall_mesh_place as_it_is = {.scale = 1.0};

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* The board of a live view: frames go out once, and steps are counted down. */
-#include "view/board.h"
-#include "core/memory.h"
+#include "front/view/board.h"
+#include "base/memory.h"
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>

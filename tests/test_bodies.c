@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* Rigid bodies: free rotation against a fine integration of Euler's equations, conservation, moments of inertia against closed
  * forms, sums that no order changes. */
-#include "bodies/moments.h"
-#include "bodies/rotor.h"
-#include "bodies/sums.h"
-#include "core/random.h"
+#include "physics/bodies/moments.h"
+#include "physics/bodies/rotor.h"
+#include "physics/bodies/sums.h"
+#include "base/random.h"
 
 #include <math.h>
 #include <setjmp.h>

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* One bond against closed forms: pull, shear, bend, twist, strengths to the last bit, turning as a whole, energy and
  * angular momentum. */
-#include "bonds/bond.h"
+#include "physics/bonds/bond.h"
 #include <float.h>
 #include <math.h>
 #include <setjmp.h>

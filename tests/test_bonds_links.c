@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* What a bond takes from its two particles: entry, stiffness, radius, masses; one that has lost its partner. */
-#include "bonds/state.h"
-#include "core/memory.h"
+#include "physics/bonds/bonds_state.h"
+#include "base/memory.h"
 #include "particles_by_hand.h"
 #include <math.h>
 #include <setjmp.h>

@@ -8,7 +8,7 @@
 
 #include <string.h>
 
-#include "core/checksum.h"
+#include "base/checksum.h"
 
 /* SplitMix64 from its definition: the state moves by the golden ratio, the output is the mixed state. Its
  * first output for seed 0 is published (e220a8397b1dcdaf). A row of no bytes is that mix of the mix. */

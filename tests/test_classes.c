@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* Size classes, and kinds of particles. */
-#include "index/choose/auto.h"
-#include "particles/kinds.h"
+#include "index/choose/auto_choose.h"
+#include "kernel/particles/kinds.h"
 #include "tests/particles_by_hand.h"
-#include "pairs/classes_choose.h"
+#include "kernel/pairs/classes_choose.h"
 #include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>

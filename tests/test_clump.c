@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* Shapes of bodies against closed forms: masses of members, principal axes, the inertia that members lack. */
-#include "bodies/clump.h"
-#include "bodies/rotor.h"
+#include "physics/bodies/clump.h"
+#include "physics/bodies/rotor.h"
 #include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>

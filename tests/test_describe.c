@@ -6,10 +6,10 @@
 #include <stdint.h>
 #include <cmocka.h>
 
-#include "core/memory.h"
+#include "base/memory.h"
 #include "engine/stages.h"
-#include "observe/describe.h"
-#include "observe/report_json.h"
+#include "data/observe/describe.h"
+#include "data/observe/report_json.h"
 
 #include <ctype.h>
 #include <stdlib.h>

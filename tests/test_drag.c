@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* Laws of drag against their formulas at known points, and the part of the kernel before a wall against a quadrature. */
-#include "drag/drag.h"
-#include "drag/law.h"
-#include "drag/porosity.h"
+#include "physics/drag/drag.h"
+#include "physics/drag/drag_law.h"
+#include "physics/drag/porosity.h"
 #include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>

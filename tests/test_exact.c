@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* Exact sums: closed forms, cancellation that rounding would hide, and no dependence on order or division. */
-#include "core/exact.h"
-#include "core/random.h"
+#include "base/exact.h"
+#include "base/random.h"
 
 #include <float.h>
 #include <math.h>

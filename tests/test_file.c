@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* Files that get their name when they are whole: what is written, and that it is on the disk before it bears
  * the name. */
-#include "files/file.h"
+#include "base/file.h"
 
 #include <setjmp.h>
 #include <stdarg.h>

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* The weights of particles beside walls: their sum over the planes of a lattice is the room, wherever the walls lie. */
-#include "fluid/layer.h"
+#include "physics/fluid/carried/layer.h"
 #include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* Kernels, weights and corrected operators of the fluid: normalisation, the identities of the weights on random arrangements,
  * mirrors, and errors and orders on lattices and displaced ones against measured figures of a prototype. */
-#include "core/memory.h"
-#include "fluid/mirror.h"
+#include "base/memory.h"
+#include "physics/fluid/lattice/mirror.h"
 #include "fluid_cloud.h"
 #include <math.h>
 #include <setjmp.h>

@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* One table of weights for all rows of a lattice, against weights of each row; and Stokes' operator against its parts. */
-#include "core/memory.h"
-#include "core/random.h"
-#include "fluid/operators.h"
-#include "particles/kinds.h"
+#include "base/memory.h"
+#include "base/random.h"
+#include "physics/fluid/operators/operators.h"
+#include "kernel/particles/kinds.h"
 #include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>

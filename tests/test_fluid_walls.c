@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
-/* What walls and open sides do to the operators of a fluid, against closed forms. Read fluid/weights.h first. */
-#include "core/memory.h"
-#include "fluid/body.h"
-#include "fluid/forces.h"
-#include "fluid/mirror.h"
+/* What walls and open sides do to the operators of a fluid, against closed forms. Read physics/fluid/operators/weights.h first. */
+#include "base/memory.h"
+#include "physics/fluid/lattice/body_surfaces.h"
+#include "physics/fluid/operators/surface_forces.h"
+#include "physics/fluid/lattice/mirror.h"
 #include "fluid_cloud.h"
 #include <math.h>
 #include <setjmp.h>
@@ -52,14 +52,14 @@ static void test_turn(void **state) {
         double(*laplacian)[3] = memory_allocate(fluid, sizeof *laplacian, "test");
         double *divergence = memory_allocate(fluid, sizeof *divergence, "test");
         double *pressure = memory_allocate_zero(c.particles->owned, sizeof *pressure, "test");
-        struct forces_part *part = memory_allocate(w.foot_start[w.rows], sizeof *part, "test");
+        struct surface_forces_part *part = memory_allocate(w.foot_start[w.rows], sizeof *part, "test");
         const struct flow flow = {.weights = &w,
                                   .velocity = c.particles->state[0].v,
                                   .velocity_stride = sizeof *c.particles->state / sizeof(double),
                                   .pressure = pressure};
         operators_laplacian_velocity(&w, flow_velocity(&flow), laplacian);
         operators_divergence(&w, flow_velocity(&flow), divergence);
-        forces_feet(&flow, 3, part);
+        surface_forces_feet(&flow, 3, part);
         for (size_t i = 0; i < fluid; i++) {
             if (!clear_of_sides(c.particles->state[i].x))
                 continue;
@@ -70,7 +70,7 @@ static void test_turn(void **state) {
             for (int d = 0; d < 3; d++)
                 assert_float_equal(laplacian[i][d], 0, 1e-9);
             for (size_t k = w.foot_start[i]; k < w.foot_start[i + 1]; k++) {
-                forces_torque(&part[k], lever, torque);
+                surface_forces_torque(&part[k], lever, torque);
                 for (int d = 0; d < 3; d++)
                     assert_float_equal(fabs(torque[d]) + fabs(part[k].viscous[d]), 0, 1e-9);
             }
@@ -104,12 +104,12 @@ static void test_couple(void **state) {
     for (size_t k = 0; k < fluid; k++)
         memcpy(c.particles->state[k].v, (double[3]){2, -1, 0}, 3 * sizeof(double));
     double *pressure = memory_allocate_zero(c.particles->owned, sizeof *pressure, "test");
-    struct forces_part *part = memory_allocate(w.foot_start[w.rows], sizeof *part, "test");
+    struct surface_forces_part *part = memory_allocate(w.foot_start[w.rows], sizeof *part, "test");
     const struct flow flow = {.weights = &w,
                               .velocity = c.particles->state[0].v,
                               .velocity_stride = sizeof *c.particles->state / sizeof(double),
                               .pressure = pressure};
-    forces_feet(&flow, 3, part);
+    surface_forces_feet(&flow, 3, part);
     for (size_t i = 0; i < fluid; i++)
         for (size_t k = w.foot_start[i]; k < w.foot_start[i + 1]; k++)
             for (int d = 0; d < 3 && c.particles->state[i].x[2] < 0.55; d++)

@@ -5,7 +5,7 @@
 #include <stdarg.h>
 #include <stddef.h>
 #include <cmocka.h>
-#include "contact/force_kernel.h"
+#include "physics/grains/batch/force_kernel.h"
 #include "forces_by_hand.h"
 
 /* The kernels have the names by which they are asked for here, and no other name is a kernel's. */

@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
-/* Rows, sweeps and colours of hard contacts against closed forms (src/hard/row.h, problem.h, colour.h). */
-#include "core/random.h"
-#include "hard/colour.h"
-#include "hard/hard.h"
-#include "hard/problem.h"
+/* Rows, sweeps and colours of hard contacts against closed forms (src/physics/hard/row.h, problem.h, colour.h). */
+#include "base/random.h"
+#include "physics/hard/colour.h"
+#include "physics/hard/hard.h"
+#include "physics/hard/problem.h"
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stdlib.h>

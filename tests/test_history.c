@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* The history of contacts over rebuilds: particles in another order, removed ones, other numbers of threads, slots that end. */
-#include "pairs/history.h"
-#include "pairs/history_keep.h"
+#include "kernel/pairs/history.h"
+#include "kernel/pairs/history_keep.h"
 #include "tests/cloud_by_hand.h"
 
 #include <math.h>

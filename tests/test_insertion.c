@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* Insertion: what is due, where, and what finds no room; deletion. */
-#include "scene/insertion.h"
+#include "data/scene/insertion.h"
 
 #include <math.h>
 #include <stdarg.h>

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* Integrators: closed forms of single particles, and a contact through the force loop. */
-#include "contact/force.h"
-#include "integrate/integrator.h"
+#include "physics/grains/batch/force.h"
+#include "physics/grains/motion/integrator.h"
 #include "pairs_by_hand.h"
 #include "tests/fields_by_hand.h"
 #include "tests/own_law.h"

@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* Several interactions over one search: lists of their own, rows of both particles, and sums over them by the walk. */
-#include "core/memory.h"
-#include "core/random.h"
-#include "pairs/interaction.h"
-#include "pairs/walk.h"
+#include "base/memory.h"
+#include "base/random.h"
+#include "kernel/pairs/interaction.h"
+#include "kernel/pairs/walk.h"
 #include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>
@@ -12,7 +12,7 @@
 #include <string.h>
 #include <cmocka.h>
 #include "near.h"
-#include "pairs/classes_choose.h"
+#include "kernel/pairs/classes_choose.h"
 
 enum { COUNT = 700, GHOSTS = 90, SETS = 3 };
 

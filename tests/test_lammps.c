@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* LAMMPS's text files at the edge of what they may hold: comments, numbers out of range, many columns. */
-#include "core/memory.h"
-#include "formats/dump.h"
-#include "formats/lammps_data.h"
-#include "files/lines.h"
+#include "base/memory.h"
+#include "data/formats/dump.h"
+#include "data/formats/lammps_data.h"
+#include "base/lines.h"
 
 #include <stdarg.h>
 #include <stddef.h>

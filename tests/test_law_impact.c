@@ -6,7 +6,7 @@
 #include <stddef.h>
 #include <cmocka.h>
 #include "laws_by_hand.h"
-#include "contact/law_restitution.h"
+#include "physics/grains/laws/law_restitution.h"
 
 /* Head-on impact in the relative coordinate. */
 struct impact {

@@ -4,7 +4,7 @@
 #include <stdarg.h>
 #include <stddef.h>
 #include <cmocka.h>
-#include "contact/law_jkr.h"
+#include "physics/grains/laws/law_jkr.h"
 #include "law_parts_by_hand.h"
 
 /* Restitution of a head-on impact, by small steps. */

@@ -4,9 +4,9 @@
 #include <stdarg.h>
 #include <stddef.h>
 #include <cmocka.h>
-#include "contact/force_general.h"
-#include "contact/law_general.h"
-#include "contact/law_jkr.h"
+#include "physics/grains/batch/force_general.h"
+#include "physics/grains/laws/law_general.h"
+#include "physics/grains/laws/law_jkr.h"
 #include "law_parts_by_hand.h"
 
 /* Forces are slopes of energies, tangents slopes of forces, at touch and across gaps, for spheres and a wall. */

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* The public library: pairs of a cloud against all pairs. */
-#include "core/random.h"
+#include "base/random.h"
 #include "scree.h"
 #include <math.h>
 #include <setjmp.h>

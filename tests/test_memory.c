@@ -11,8 +11,8 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include "core/error.h"
-#include "core/memory.h"
+#include "base/error.h"
+#include "base/memory.h"
 
 static const size_t sizes[] = {0,      1, 63, 64, 65, 1000, 1 << 20, (4 << 20) - 1, 4 << 20, (4 << 20) + 1,
                                9000001};

@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* Reading of meshes: what is accepted, and what is refused with which place. */
-#include "walls/mesh.h"
-#include "walls/wall.h"
-#include "files/numbers.h"
-#include "core/memory.h"
+#include "physics/grains/walls/mesh.h"
+#include "physics/grains/walls/wall.h"
+#include "base/numbers.h"
+#include "base/memory.h"
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* Reading of PLY files: every form of the same square, and what is refused with which place. */
-#include "walls/mesh.h"
-#include "walls/wall.h"
+#include "physics/grains/walls/mesh.h"
+#include "physics/grains/walls/wall.h"
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>

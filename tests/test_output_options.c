@@ -6,7 +6,7 @@
 #include <stdint.h>
 #include <cmocka.h>
 
-#include "formats/output_options.h"
+#include "data/formats/output_options.h"
 
 static void never_unless_asked(void **state) {
     (void)state;

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* Packings: what they promise, against brute force. Everything is made in full by pack_make. */
-#include "pack/pack.h"
+#include "front/pack/pack.h"
 
 #include <math.h>
 #include <stdarg.h>

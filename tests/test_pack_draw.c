@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* The laws of sizes of packings, by the Kolmogorov-Smirnov distance from their closed forms, and their
  * options. */
-#include "core/memory.h"
-#include "pack/draw.h"
-#include "pack/options_read.h"
+#include "base/memory.h"
+#include "front/pack/draw.h"
+#include "front/pack/options_read.h"
 #include <stdio.h>
 
 #include <math.h>

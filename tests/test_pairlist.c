@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* The pair list on any number of threads, with ghosts and busy particles, and the skin. */
-#include "pairs/skin.h"
+#include "kernel/pairs/skin.h"
 #include "tests/cloud_by_hand.h"
 
 #include <math.h>

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* The particle set, its field table and images. */
-#include "core/random.h"
-#include "particles/fields.h"
-#include "particles/particles.h"
+#include "base/random.h"
+#include "kernel/particles/fields.h"
+#include "kernel/particles/particles.h"
 #include "tests/particles_by_hand.h"
 #include <math.h>
 #include <omp.h>

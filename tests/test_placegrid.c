@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* The grid of placed spheres against brute force. */
-#include "scene/placegrid.h"
+#include "data/scene/placegrid.h"
 
-#include "core/random.h"
+#include "base/random.h"
 
 #include <math.h>
 #include <stdarg.h>

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* Lines of progress: when they come, and what they tell. The test moves the beginning into the past instead of waiting. */
-#include "core/timer.h"
-#include "observe/progress.h"
+#include "base/timer.h"
+#include "data/observe/progress.h"
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>

@@ -8,7 +8,7 @@
 
 #include <math.h>
 
-#include "core/random.h"
+#include "base/random.h"
 
 /* The published known answers of Philox4x32-10 (kat_vectors of Random123): counter, key and the first two
  * words. */

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* Regions: what they contain, their volumes, points drawn from them. */
-#include "scene/region.h"
+#include "data/scene/region.h"
 
 #include <math.h>
 #include <stdarg.h>

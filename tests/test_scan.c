@@ -9,8 +9,8 @@
 #include <omp.h>
 #include <stdlib.h>
 
-#include "core/random.h"
-#include "core/scan.h"
+#include "base/random.h"
+#include "base/scan.h"
 
 static const size_t lengths[] = {0, 1, 2, 63, 16383, 16384, 16385, 200003};
 enum { LENGTHS = sizeof lengths / sizeof lengths[0], LONGEST = 200003 };

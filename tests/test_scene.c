@@ -2,9 +2,9 @@
 /* What a scene becomes: option structs, defaults, derived values, the echo. */
 #include "tests/scene_by_hand.h"
 #include "tests/own_law.h"
-#include "scene/scene_text.h"
+#include "data/scene/scene_text.h"
 
-#include "integrate/timestep.h"
+#include "physics/grains/motion/timestep.h"
 
 #include <math.h>
 #include <unistd.h>

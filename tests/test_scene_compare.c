@@ -6,7 +6,7 @@
 #include <stdint.h>
 #include <cmocka.h>
 
-#include "scene/compare.h"
+#include "data/scene/compare.h"
 
 #include <string.h>
 

@@ -1,11 +1,11 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* The table of keys itself: that its rows are sound, and that what is made of them agrees. */
-#include "scene/scene_text.h"
-#include "scene/schema.h"
-#include "scene/schema_help.h"
-#include "scene/schema_root.h"
-#include "scene/schema_unknown.h"
-#include "scene/schema_value.h"
+#include "data/scene/scene_text.h"
+#include "data/scene/schema.h"
+#include "data/scene/schema_help.h"
+#include "data/scene/schema_root.h"
+#include "data/scene/schema_unknown.h"
+#include "data/scene/schema_value.h"
 #include "tests/scene_by_hand.h"
 
 static int rows;

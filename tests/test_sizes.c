@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* Size laws against their moments and shares in closed form. */
-#include "scene/sizes_file.h"
+#include "data/scene/sizes_file.h"
 
 #include <math.h>
 #include <stdarg.h>

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* When a rebuild is due. */
-#include "pairs/skin.h"
+#include "kernel/pairs/skin.h"
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>

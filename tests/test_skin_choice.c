@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* The model that chooses a skin. */
-#include "pairs/skin_choice.h"
+#include "kernel/pairs/skin_choice.h"
 #include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>

@@ -2,8 +2,8 @@
 /* The bound on the stable step against the largest frequency of an assembly, found by power iteration of its
  * dynamic matrix contact by contact: never above, and how near; for crystals, random clouds, sizes apart by
  * 50. */
-#include "integrate/stability.h"
-#include "integrate/timestep.h"
+#include "physics/grains/motion/stability.h"
+#include "physics/grains/motion/timestep.h"
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>

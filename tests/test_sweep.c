@@ -1,12 +1,12 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* The plans of the fused sweep and of the ring on any number of threads, with ghosts and busy particles: every particle
  * moves once, and before or after it is read; no two forces share a record. */
-#include "core/memory.h"
-#include "core/random.h"
-#include "pairs/pairlist.h"
-#include "pairs/ring.h"
-#include "pairs/sweep.h"
-#include "pairs/classes_choose.h"
+#include "base/memory.h"
+#include "base/random.h"
+#include "kernel/pairs/pairlist.h"
+#include "kernel/pairs/ring.h"
+#include "kernel/pairs/sweep.h"
+#include "kernel/pairs/classes_choose.h"
 #include <omp.h>
 #include <setjmp.h>
 #include <stdarg.h>

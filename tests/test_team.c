@@ -11,7 +11,7 @@
 #include <omp.h>
 #include <string.h>
 
-#include "core/team.h"
+#include "base/team.h"
 #include "near.h"
 
 /* A machine: seconds that a step takes with so many threads, the share of their time that threads get, and

@@ -8,7 +8,7 @@
 
 #include <string.h>
 
-#include "core/timer.h"
+#include "base/timer.h"
 
 /* Busy until `seconds` have gone by; returns how long it really took. */
 static double spend(double seconds) {

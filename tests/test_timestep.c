@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* The stable time step against plain simulation of the scheme, and for the published cases. */
-#include "integrate/timestep.h"
+#include "physics/grains/motion/timestep.h"
 #include "tests/own_law.h"
 #include <math.h>
 #include <setjmp.h>

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* YAML trees: lines of nodes, changes, what is refused. */
-#include "scene/tree.h"
+#include "data/scene/tree.h"
 
 #include <stdarg.h>
 #include <stddef.h>

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* Units and decimal numbers. */
-#include "scene/decimal.h"
-#include "scene/schema_value.h"
-#include "scene/units.h"
+#include "data/scene/decimal.h"
+#include "data/scene/schema_value.h"
+#include "data/scene/units.h"
 
 #include <math.h>
 #include <stdarg.h>

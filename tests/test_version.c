@@ -10,7 +10,7 @@
 #include <string.h>
 #include <unistd.h>
 
-#include "core/version.h"
+#include "base/version.h"
 
 static void version_has_three_numbers(void **state) {
     (void)state;

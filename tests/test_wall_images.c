@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* Walls felt through periodic images: springs of contacts with several of them, and walls far outside of the
  * box. */
-#include "walls/wall.h"
-#include "contact/law_kernel.h"
+#include "physics/grains/walls/wall.h"
+#include "physics/grains/laws/law_kernel.h"
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>

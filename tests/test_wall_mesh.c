@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* Surfaces of meshes: vertices merged, patches and features found, repairs noted, triangles found by the
  * grid. */
-#include "walls/wall_grid.h"
-#include "walls/mesh_shape.h"
-#include "walls/wall_mesh.h"
-#include "walls/wall_touch.h"
+#include "physics/grains/walls/wall_grid.h"
+#include "physics/grains/walls/mesh_shape.h"
+#include "physics/grains/walls/wall_mesh.h"
+#include "physics/grains/walls/wall_touch.h"
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>

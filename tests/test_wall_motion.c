@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* Motions: closed forms, velocities against displacements, composition, tables, servo. */
-#include "walls/wall_motion.h"
+#include "physics/grains/walls/wall_motion.h"
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>

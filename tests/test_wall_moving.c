@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* Walls that move: piston, servo, drum, conveyor, bounds of displacements. */
-#include "walls/wall.h"
-#include "contact/law_kernel.h"
+#include "physics/grains/walls/wall.h"
+#include "physics/grains/laws/law_kernel.h"
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>

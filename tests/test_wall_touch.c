@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* Where a sphere touches a mesh or a cylinder, against exact distances. */
-#include "walls/wall_grid.h"
-#include "walls/wall_mesh.h"
-#include "walls/wall_touch.h"
+#include "physics/grains/walls/wall_grid.h"
+#include "physics/grains/walls/wall_mesh.h"
+#include "physics/grains/walls/wall_touch.h"
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>

@@ -4,11 +4,11 @@
 #ifndef SCREE_TESTS_WALLS_BY_HAND_H
 #define SCREE_TESTS_WALLS_BY_HAND_H
 
-#include "walls/wall.h"
-#include "core/memory.h"
-#include "integrate/integrator.h"
+#include "physics/grains/walls/wall.h"
+#include "base/memory.h"
+#include "physics/grains/motion/integrator.h"
 #include "tests/fields_by_hand.h"
-#include "pairs/classes_choose.h"
+#include "kernel/pairs/classes_choose.h"
 #include "tests/own_law.h"
 #include <omp.h>
 #include <stdio.h>

@@ -7,7 +7,7 @@ EXTRA_DIST += docs/packaging/README.md docs/packaging/spack/package.py docs/pack
 	$(packaging)/python3-scree.install $(packaging)/scree-examples.install $(packaging)/scree-petsc.install $(packaging)/scree.install
 
 # make deb: Debian packages in deb/, from the archive of `make dist`. The project has neither a mailing list for the maintainer's
-# address nor a bug at Debian that asks for the package; uPlot (src/page) and three.js (src/view) are there as their authors publish them, without their sources.
+# address nor a bug at Debian that asks for the package; uPlot (src/front/page) and three.js (src/front/view) are there as their authors publish them, without their sources.
 not_yet = bogus-mail-host,bogus-mail-host-in-debian-changelog,initial-upload-closes-no-bugs,source-is-missing
 .PHONY: deb
 deb: dist

@@ -184,8 +184,8 @@ A rank works best on one NUMA node: each socket, or each die with memory of its 
 
 ## Data with the length of the rank count
 
-**A step has no such data.** A step has one message to and from each rank of the plan (\`src/comm/ghosts.c\`, \`exchange.c\`) and one non-blocking
-reduction of 2 x classes + 4 numbers (\`src/engine/decide.c\`). \`grep -n 'comm->size\\|->ranks' src/comm/*.c\` shows the places in \`src/comm\` that read the rank count:
+**A step has no such data.** A step has one message to and from each rank of the plan (\`src/kernel/comm/ghosts.c\`, \`exchange.c\`) and one non-blocking
+reduction of 2 x classes + 4 numbers (\`src/engine/decide.c\`). \`grep -n 'comm->size\\|->ranks' src/kernel/comm/*.c\` shows the places in \`src/kernel/comm\` that read the rank count:
 
 | file | time | data |
 |---|---|---|
@@ -194,10 +194,10 @@ reduction of 2 x classes + 4 numbers (\`src/engine/decide.c\`). \`grep -n 'comm-
 | \`domain_tree.c\` | set-up, division | the cut tree of a bisection: 16 bytes a rank, on every rank, kept |
 | \`balance_zoltan.c\` | division of a bisection | corners, places and order of all subdomains, 84 bytes a rank, and what Zoltan takes |
 | \`comm.c\` (\`comm_gather_varying\`) | text dumps | 8 bytes a rank and a loop over ranks, on rank 0 |
-| \`observe/report.c\` | end of the run | copies, messages and bytes of all ranks: 24 bytes a rank, on every rank |
-| \`formats/checkpoint.c\` | checkpoints | a row of each rank in the file; a resume on as many ranks reads 8 bytes a rank |
-| \`formats/dump.c\` | text dumps | rank 0 writes the rows of one rank after another |
-| \`scene/scene_particles.c\` | set-up | every rank goes through all particles of the scene and keeps its own particles: time and 32 bytes a particle of the whole scene |
+| \`data/observe/report.c\` | end of the run | copies, messages and bytes of all ranks: 24 bytes a rank, on every rank |
+| \`data/formats/checkpoint.c\` | checkpoints | a row of each rank in the file; a resume on as many ranks reads 8 bytes a rank |
+| \`data/formats/dump.c\` | text dumps | rank 0 writes the rows of one rank after another |
+| \`data/scene/scene_particles.c\` | set-up | every rank goes through all particles of the scene and keeps its own particles: time and 32 bytes a particle of the whole scene |
 
 Each rebuild sorts items by rank four times (\`groups.c\`); the time of a sorting depends on the number of items and of the ranks that occur among the
 items.

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* Cuts the classes of particles into the levels that `auto` compares: equal gaps, groups of classes. Read
  * choose/auto.h first. */
-#include "index/choose/auto.h"
+#include "index/choose/auto_choose.h"
 
 #include <math.h>
 

@@ -2,8 +2,8 @@
 /* The cost model: counts the steps of a search by grids of levels and prices them. Read cost.h first. */
 #include "index/choose/cost.h"
 
-#include "index/grids/levels.h"
-#include "index/search/sizes.h"
+#include "index/levels/levels.h"
+#include "index/search_sizes.h"
 
 #include <math.h>
 #include <stdio.h>

@@ -26,7 +26,7 @@
 #ifndef SCREE_INDEX_CHOOSE_COST_H
 #define SCREE_INDEX_CHOOSE_COST_H
 
-#include "index/choose/prices.h"
+#include "index/prices.h"
 #include "index/index.h"
 
 enum { COST_BINS = 64 };

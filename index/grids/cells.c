@@ -11,7 +11,7 @@
  * keeps the beginnings of the cells, and cells_fill only writes coordinates. */
 #include "index/grids/cells.h"
 
-#include "core/memory.h"
+#include "base/memory.h"
 #include "index/grids/cells_slots.h"
 #include "index/grids/cells_sort.h"
 

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* Tables whose particles have moved and stay in their cells: searches reach farther by the drift. Read cells.h first.
  */
-#include "core/image.h"
-#include "core/memory.h"
+#include "base/image.h"
+#include "base/memory.h"
 #include "index/grids/cells.h"
 #include "index/grids/cells_slots.h"
 #include "index/grids/cells_sort.h"
@@ -53,7 +53,7 @@ static void batch_turn(const struct cells *cells, const struct cells_source *sou
             float apart = located->x[d][m] - cells->origin[d][k + m];
             if (frame->periodic[d] && fabsf(apart) > frame->edge[d] / 2) {
                 image[d] = apart > 0 ? -1 : 1;
-                located->x[d][m] = frame_coordinate(frame, d, x[d] + image[d] * view->edge[d]);
+                located->x[d][m] = grid_frame_coordinate(frame, d, x[d] + image[d] * view->edge[d]);
             }
         }
         turn[m] = (uint8_t)image_code(image[0], image[1], image[2]);

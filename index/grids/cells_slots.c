@@ -2,7 +2,7 @@
 /* The slots of a table: room, coordinates, numbers. Read cells_slots.h first. */
 #include "index/grids/cells_slots.h"
 
-#include "core/memory.h"
+#include "base/memory.h"
 #include "index/grids/cells_sort.h"
 
 #include <assert.h>

@@ -3,7 +3,7 @@
 #include "index/grids/cells_sort.h"
 #include "index/grids/cells.h"
 
-#include "core/memory.h"
+#include "base/memory.h"
 
 #include <omp.h>
 #include <stdlib.h>

@@ -2,7 +2,7 @@
 /* Pairs of unlike levels, found from the larger side. Read cross.h first. */
 #include "index/grids/cross.h"
 
-#include "core/memory.h"
+#include "base/memory.h"
 
 #include <omp.h>
 #include <string.h>

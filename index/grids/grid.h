@@ -9,7 +9,7 @@
 #ifndef SCREE_INDEX_GRIDS_GRID_H
 #define SCREE_INDEX_GRIDS_GRID_H
 
-#include "index/grids/frame.h"
+#include "index/grids/grid_frame.h"
 
 struct grid {
     float anchor[3], inverse[3]; /* frame unit, cells a frame unit */

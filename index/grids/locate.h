@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* Particles to frame coordinates, and these to cells, a batch at a time: plain loops over small arrays, which
- * compilers turn into vector instructions. The results are those of frame_coordinate and grid_cell to the
+ * compilers turn into vector instructions. The results are those of grid_frame_coordinate and grid_cell to the
  * last bit. */
 #ifndef SCREE_INDEX_GRIDS_LOCATE_H
 #define SCREE_INDEX_GRIDS_LOCATE_H

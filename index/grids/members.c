@@ -2,7 +2,7 @@
 /* Counts and places the members of groups, with threads. Read members.h first. */
 #include "index/grids/members.h"
 
-#include "core/memory.h"
+#include "base/memory.h"
 
 #include <omp.h>
 

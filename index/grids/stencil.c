@@ -2,7 +2,7 @@
 /* Finds the offsets of a stencil. Read stencil.h first. */
 #include "index/grids/stencil.h"
 
-#include "core/memory.h"
+#include "base/memory.h"
 
 #include <math.h>
 #include <stdlib.h>

@@ -4,9 +4,9 @@
 #ifndef SCREE_INDEX_SEARCH_SEARCH_PAIRS_H
 #define SCREE_INDEX_SEARCH_SEARCH_PAIRS_H
 
-#include "index/exact.h"
+#include "index/exact_test.h"
 #include "index/search/search.h"
-#include "index/search/sizes.h"
+#include "index/search_sizes.h"
 
 #include <stdalign.h>
 

@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
-/* Size classes from the radii on all ranks. Read particles/classes.h first. */
+/* Size classes from the radii on all ranks. Read kernel/particles/classes.h first. */
 #include "engine/classify.h"
 #include "engine/skin_auto.h"
-#include "core/memory.h"
-#include "particles/kinds.h"
-#include "pairs/classes_choose.h"
+#include "base/memory.h"
+#include "kernel/particles/kinds.h"
+#include "kernel/pairs/classes_choose.h"
 #include <math.h>
 
 /* A sample of the radii, for the choice of classes: the smallest and the largest radius of each of so many

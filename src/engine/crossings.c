@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* Keeps the sums of planes over the particles that come and go. Read crossings.h first. */
 #include "engine/crossings.h"
-#include "particles/groups.h"
-#include "observe/crossing.h"
-#include "particles/kinds.h"
+#include "kernel/particles/groups.h"
+#include "data/observe/crossing.h"
+#include "kernel/particles/kinds.h"
 #include <math.h>
 
 void crossings_prepare(struct simulation *s) {

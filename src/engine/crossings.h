@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
-/* Net crossings of the planes that the observables ask for (observe/crossing.h): the part of the sum that does not follow
+/* Net crossings of the planes that the observables ask for (data/observe/crossing.h): the part of the sum that does not follow
  * from the particles of the moment. */
 #ifndef SCREE_ENGINE_CROSSINGS_H
 #define SCREE_ENGINE_CROSSINGS_H

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
-/* Decides on rebuilds by bounds of the displacements on all ranks (pairs/skin.h). */
+/* Decides on rebuilds by bounds of the displacements on all ranks (kernel/pairs/skin.h). */
 #include "engine/decide.h"
 #include <math.h>
 #include <string.h>

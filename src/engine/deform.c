@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* Moves the box, and tells the other parts. Read deform.h first. */
 #include "engine/deform.h"
-#include "core/memory.h"
+#include "base/memory.h"
 #include <assert.h>
 #include <math.h>
 #include <string.h>

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
-/* The box in motion: shear across Lees-Edwards boundaries, and strain (particles/box.h). In a step the box moves
+/* The box in motion: shear across Lees-Edwards boundaries, and strain (kernel/particles/box.h). In a step the box moves
  * with the particles; pairs keep their images, whose shifts and velocities follow (pairlist_follow). At a
  * rebuild the offset of the shear is brought back within half an edge, and the division among ranks learns which
  * subdomains face each other now. A box at rest never comes here. */

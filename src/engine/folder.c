@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* Checks, locks, clears and rewinds the folder of a run. Read folder.h first. */
 #include "engine/folder.h"
-#include "formats/checkpoint.h"
-#include "formats/wall_frames.h"
-#include "files/file.h"
+#include "data/formats/checkpoint.h"
+#include "data/formats/wall_frames.h"
+#include "base/file.h"
 #include <dirent.h>
 #include <errno.h>
 #include <fcntl.h>

@@ -3,8 +3,8 @@
 #ifndef SCREE_ENGINE_FOLDER_H
 #define SCREE_ENGINE_FOLDER_H
 
-#include "comm/comm.h"
-#include "formats/lineage.h"
+#include "kernel/comm/comm.h"
+#include "data/formats/lineage.h"
 
 /* True if a directory exists and has no entries. */
 bool folder_empty(const char *directory);

@@ -2,8 +2,8 @@
 /* Guards: physical nonsense stops the run (or warns, once), naming particles, place and time. */
 #include "engine/guards.h"
 #include "engine/trip.h"
-#include "particles/spin.h"
-#include "particles/kinds.h"
+#include "kernel/particles/spin.h"
+#include "kernel/particles/kinds.h"
 #include <math.h>
 #include <stdio.h>
 #include <string.h>

@@ -16,8 +16,8 @@ libengine_la_SOURCES = \
 	src/engine/folder.h \
 	src/engine/guards.c \
 	src/engine/guards.h \
-	src/engine/load.c \
-	src/engine/load.h \
+	src/engine/load_balance.c \
+	src/engine/load_balance.h \
 	src/engine/notes.c \
 	src/engine/notes.h \
 	src/engine/order.c \
@@ -73,13 +73,13 @@ libengine_la_SOURCES = \
 	src/engine/tune.h \
 	src/engine/values.c \
 	src/engine/values.h \
-	src/engine/view.c \
-	src/engine/view.h
+	src/engine/index_view.c \
+	src/engine/index_view.h
 libengine_la_CPPFLAGS = $(AM_CPPFLAGS) $(MPI_CFLAGS)
 
 # What writes the tables of docs/output.md, after a change of fields, observables, stages or the report
-EXTRA_PROGRAMS += src/engine/document
-CLEANFILES += src/engine/document
-src_engine_document_SOURCES = src/engine/document.c
-src_engine_document_CPPFLAGS = $(AM_CPPFLAGS) $(MPI_CFLAGS)
-src_engine_document_LDADD = $(ENGINE_LIBS)
+EXTRA_PROGRAMS += src/engine/document_output
+CLEANFILES += src/engine/document_output
+src_engine_document_output_SOURCES = src/engine/document_output.c
+src_engine_document_output_CPPFLAGS = $(AM_CPPFLAGS) $(MPI_CFLAGS)
+src_engine_document_output_LDADD = $(ENGINE_LIBS)

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* Looks in a simulation for settings that are probably a mistake. Read notes.h first. */
 #include "engine/notes.h"
-#include "core/memory.h"
-#include "particles/kinds.h"
+#include "base/memory.h"
+#include "kernel/particles/kinds.h"
 #include <math.h>
 #include <stdarg.h>
 #include <string.h>

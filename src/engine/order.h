@@ -6,7 +6,7 @@
  * they are in the cache:
  *
  *     servo, walls
- *     early      (several ranks) particles that others read move (pairs/sweep.h); values leave for copies
+ *     early      (several ranks) particles that others read move (kernel/pairs/sweep.h); values leave for copies
  *     sweep      (one rank: early particles,) block by block: late particles move, then the block's forces
  *     receive    values arrive; meanwhile the ranks agree on bounds
  *     copies     forces of pairs with copies
@@ -14,7 +14,7 @@
  *     wall, caller, finish, reverse
  *
  * In ring order, for steps after which nobody looks, particles come moved from the step before, or move first, and the
- * particles of a block move on to n+1 as soon as all their forces are there (pairs/ring.h):
+ * particles of a block move on to n+1 as soon as all their forces are there (kernel/pairs/ring.h):
  *
  *     servo, advance (only after a step in another order), walls, decide
  *     exchange   rebuild, or values leave for copies

@@ -2,8 +2,8 @@
 /* Plans the visits of the fused order and of the ring order after a rebuild. Read order_plan.h first. */
 #include "engine/order_plan.h"
 #include "engine/stages.h"
-#include "pairs/ring.h"
-#include "pairs/sweep.h"
+#include "kernel/pairs/ring.h"
+#include "kernel/pairs/sweep.h"
 
 static size_t early_count(const struct sweep *sweep) {
     size_t early = 0;

@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* Writes into the files of a run when they are due. Read outputs.h first. */
 #include "engine/outputs_parts.h"
-#include "engine/view.h"
-#include "formats/contact_list.h"
-#include "formats/frame.h"
+#include "engine/index_view.h"
+#include "data/formats/contact_list.h"
+#include "data/formats/frame.h"
 #include <stdio.h>
 #include <string.h>
 
@@ -111,7 +111,7 @@ bool outputs_write(struct outputs *o, const struct simulation *s, struct error *
         good = wall_frames_write(o->walls, &view, error);
     for (int k = 0; good && k < options->observables.grids; k++)
         if (grid_due(o, s, s->clock.step, k))
-            good = grid_write(o->grid[k], &view, error);
+            good = observables_grid_write(o->grid[k], &view, error);
     return good && (!outputs_due(o, s, s->clock.step) || outputs_tables(s, error));
 }
 

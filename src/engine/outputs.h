@@ -4,8 +4,8 @@
 #define SCREE_ENGINE_OUTPUTS_H
 
 #include "engine/state.h"
-#include "observe/observables.h"
-#include "formats/output.h"
+#include "data/observe/observables.h"
+#include "data/formats/output.h"
 
 struct outputs;
 

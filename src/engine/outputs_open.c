@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* Checks, opens and closes the files of a run. Read outputs.h first. */
 #include "engine/outputs_parts.h"
-#include "engine/view.h"
-#include "core/memory.h"
-#include "formats/dump.h"
-#include "formats/frame.h"
+#include "engine/index_view.h"
+#include "base/memory.h"
+#include "data/formats/dump.h"
+#include "data/formats/frame.h"
 #include <stdio.h>
 #include <string.h>
 
@@ -62,8 +62,8 @@ static bool grids_open(struct outputs *o, const struct simulation *s, bool resum
     const struct output_view view = simulation_view(s);
     bool good = true;
     for (int k = 0; good && k < o->options->observables.grids; k++)
-        good = grid_open(&o->grid[k], &o->options->observables.grid[k], &view, o->run->directory,
-                         resumed ? s->clock.time : -1, error);
+        good = observables_grid_open(&o->grid[k], &o->options->observables.grid[k], &view, o->run->directory,
+                                     resumed ? s->clock.time : -1, error);
     return good;
 }
 
@@ -135,7 +135,7 @@ bool outputs_go_on(const struct outputs *o, const struct comm *comm, struct erro
     if (comm->rank == 0 && o->observables)
         observables_suit(o->observables, directory, error);
     for (int k = 0; comm->rank == 0 && k < o->options->observables.grids; k++)
-        grid_suits(&o->options->observables.grid[k], directory, error);
+        observables_grid_suits(&o->options->observables.grid[k], directory, error);
     if (!comm_agree(comm, error))
         return false;
     snprintf(path, sizeof path, "%s/trajectory.h5", directory);
@@ -169,7 +169,7 @@ bool outputs_close(struct outputs **outputs, const struct comm *comm, struct err
     if (error->kind == ERROR_NONE)
         *error = own;
     for (int k = 0; k < o->options->observables.grids; k++)
-        grid_close(&o->grid[k]);
+        observables_grid_close(&o->grid[k]);
     wall_frames_close(&o->walls);
     if (o->observables)
         observables_destroy(&o->observables);

@@ -4,10 +4,10 @@
 #define SCREE_ENGINE_OUTPUTS_PARTS_H
 
 #include "engine/outputs.h"
-#include "formats/dump.h"
-#include "formats/h5md.h"
-#include "formats/wall_frames.h"
-#include "observe/grid.h"
+#include "data/formats/dump.h"
+#include "data/formats/h5md.h"
+#include "data/formats/wall_frames.h"
+#include "data/observe/observables_grid.h"
 
 struct outputs {
     const struct output_options *options; /* borrowed from the scene */

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* The physics of a run: finds the physics that the scene asks for, and calls them. Read physics.h first. */
 #include "engine/physics.h"
-#include "particles/kinds.h"
+#include "kernel/particles/kinds.h"
 #include <math.h>
 #include <string.h>
 

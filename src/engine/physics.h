@@ -1,13 +1,13 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* A physics is a set of effects on particles, in one folder and one row of a table (physics_table.h). Grains
- * (src/grains) are a physics that is always active; a scene activates other physics by their sections.
+ * (src/physics/grains) are a physics that is always active; a scene activates other physics by their sections.
  *
  * A physics states the fields that it needs, its interactions (which particles meet, and up to which
  * distance), and the passes that it adds to the step. The engine merges the passes of all active physics into
  * one plan (plan.h), keeps the pair lists of their interactions, and informs each physics of new lists. A
  * physics that no scene asks for costs nothing: no field, no pair, no pass.
  *
- * How to add a physics, in five steps (src/density/ is the example, with everything in 150 lines):
+ * How to add a physics, in five steps (src/physics/density/ is the example, with everything in 150 lines):
  *
  *   1. Make a folder src/NAME/ with the rows of its section of a scene, its fields and its observables
  *      (physics_table.h names the objects), and a local.mk that adds libNAME.la to PHYSICS_LIBS.
@@ -22,7 +22,7 @@
  *      complete when the step ends: a pass that reads the force on a particle runs in PASS_LOOK, or in
  *      PASS_FIRST of the next step.
  *   2. Write its function: `whole`, `rows`, `block` or `share`, see struct physics_pass.
- *   3. Add its row to the array of passes of the physics, for grains in src/grains/grains.c, and count it in
+ *   3. Add its row to the array of passes of the physics, for grains in src/physics/grains/grains.c, and count it in
  *      `passes`. `scree check --all SCENE` prints the plan in which the pass then is.
  *   4. The time of a pass is a stage of the report, unless its row names the stage of another pass as `timer`:
  *      `make pages` writes it to docs/output.md. (Passes of PASS_LOOK count as output.)
@@ -31,27 +31,27 @@
  * own below: a NULL facet says that the physics has no part in the matter, and so does a NULL function of a facet. The
  * engine visits a facet by PHYSICS_EACH.
  *
- * One physics of a run moves the grains: the one that the scene gives and that has the facet `mover`, else src/grains.
- * It adds the passes that move them, and context->moves_grains is true for it alone; the passes of src/grains that kick,
+ * One physics of a run moves the grains: the one that the scene gives and that has the facet `mover`, else src/physics/grains.
+ * It adds the passes that move them, and context->moves_grains is true for it alone; the passes of src/physics/grains that kick,
  * drift and push are then left out, while the walls stay there and move. Pair lists, histories of contacts, walls and
  * ranks serve any mover. */
 #ifndef SCREE_ENGINE_PHYSICS_H
 #define SCREE_ENGINE_PHYSICS_H
 
-#include "comm/ghosts.h"
-#include "core/exact.h"
-#include "core/log.h"
+#include "kernel/comm/ghosts.h"
+#include "base/exact.h"
+#include "base/log.h"
 #include "engine/clock.h"
-#include "formats/checkpoint_state.h"
-#include "formats/restart.h"
-#include "observe/report.h"
-#include "pairs/history.h"
-#include "pairs/interaction.h"
-#include "pairs/ring.h"
-#include "pairs/rowset.h"
-#include "particles/fields.h"
+#include "data/formats/checkpoint_state.h"
+#include "data/formats/restart.h"
+#include "data/observe/report.h"
+#include "kernel/pairs/history.h"
+#include "kernel/pairs/interaction.h"
+#include "kernel/pairs/ring.h"
+#include "kernel/pairs/rowset.h"
+#include "kernel/particles/fields.h"
 #include "physics_table.h"
-#include "scene/scene.h"
+#include "data/scene/scene.h"
 #include <stddef.h>
 
 enum { PHYSICS_INTERACTIONS_MAX = 4 };
@@ -61,7 +61,7 @@ struct evaluation {
     double dt;         /* time since the evaluation before; 0: the forces of a given state, memories stay */
     bool sums, virial; /* energies are wanted, and the work of forces on distances */
     const struct ring
-        *ring; /* a step in ring order: particles borrow force records (pairs/ring.h); else NULL */
+        *ring; /* a step in ring order: particles borrow force records (kernel/pairs/ring.h); else NULL */
 };
 
 /* The parts of a run that a physics may use. Borrowed; lists, classes and ghosts are those of the last
@@ -110,7 +110,7 @@ struct physics_pass {
     const char *reads, *writes;
     bool
         at_end; /* of the fields that moves read and write it touches only those of particles that move at the end
-                    of a step in ring order (pairs/ring.h) */
+                    of a step in ring order (kernel/pairs/ring.h) */
     bool (*needed)(const struct physics_context *context); /* NULL: always */
     /* Called once; opens its own teams of threads. */
     void (*whole)(const struct physics_context *context);
@@ -165,7 +165,7 @@ struct physics_maker {
                  struct error *error);
 };
 
-/* Facet of a physics that remembers pairs: rows at both particles of a pair (pairs/history.h), by owned particle, of which
+/* Facet of a physics that remembers pairs: rows at both particles of a pair (kernel/pairs/history.h), by owned particle, of which
  * `components` doubles count. The engine asks before each rebuild, and for a checkpoint; it carries the rows with their
  * particles through deletion, migration, reorder, checkpoint and resume. The physics forgets what it derived from their
  * numbers; `rebuilt` finds them in the new order. */
@@ -189,7 +189,7 @@ struct physics_joints {
      * if `joins` is true, at the start. */
     bool (*joined)(const struct physics_context *context, size_t i, size_t j);
     bool (*joins)(const struct physics_context *context);
-    /* Its part in the stability of contacts (integrate/stability.h): adds the springs at owned particles; the largest
+    /* Its part in the stability of contacts (physics/grains/motion/stability.h): adds the springs at owned particles; the largest
      * L_i + L_j of its pairs. */
     void (*stiffen)(const struct physics_context *context, struct stability *stability);
     double (*stiffest)(const struct physics_context *context, const struct stability *stability);
@@ -313,7 +313,7 @@ struct physics_record {
 
 struct physics {
     const char *name;
-    bool box_moves; /* it works in a box that moves (particles/box.h); else such a scene is refused */
+    bool box_moves; /* it works in a box that moves (kernel/particles/box.h); else such a scene is refused */
     int passes;
     const struct physics_pass *pass;
     /* Refuses options that do not go together: a user's error. NULL: nothing to refuse. */

@@ -5,18 +5,18 @@
  * Three orders are made from the same passes. The plain one runs pass after pass, stage by stage (physics.h).
  * In the fused one the passes by rows that move particles, and the passes by block that follow them, share
  * one visit to each block: the particles of a block move just before the first pair that reads them, while
- * the particles are in the cache (pairs/sweep.h). A pass by block joins the visit if the pass walks over the
+ * the particles are in the cache (kernel/pairs/sweep.h). A pass by block joins the visit if the pass walks over the
  * list of the sweep, which is the list of grains. Other passes run by themselves, after the copies have
  * arrived.
  *
- * In the ring order (pairs/ring.h) a step begins with particles that have moved already, and moves them on after
+ * In the ring order (kernel/pairs/ring.h) a step begins with particles that have moved already, and moves them on after
  * their last pair: forces never reach the memory, and are gone when the step ends. That is the order for steps after which
  * nobody looks. A scene has this order if no pass outside of the visit, other than those `at_end`, reads what
  * moves change or changes what moves read: the fields that passes declare tell. */
 #ifndef SCREE_ENGINE_PLAN_H
 #define SCREE_ENGINE_PLAN_H
 
-#include "core/timer.h"
+#include "base/timer.h"
 #include "engine/physics.h"
 #include <stdio.h>
 

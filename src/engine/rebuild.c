@@ -4,7 +4,7 @@
  * Copies appear, vanish and migrate only here. */
 #include "engine/rebuild.h"
 #include "engine/deform.h"
-#include "engine/view.h"
+#include "engine/index_view.h"
 #include "engine/classify.h"
 #include "engine/skin_auto.h"
 #include "engine/tune.h"
@@ -13,10 +13,10 @@
 #include "engine/stages.h"
 #include "engine/stay.h"
 #include "engine/guards.h"
-#include "engine/load.h"
+#include "engine/load_balance.h"
 #include "engine/order_plan.h"
-#include "core/memory.h"
-#include "particles/kinds.h"
+#include "base/memory.h"
+#include "kernel/particles/kinds.h"
 #include <math.h>
 #include <string.h>
 

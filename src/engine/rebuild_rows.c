@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* Contact histories become rows, which go with their particles to other ranks. */
 #include "engine/rebuild_rows.h"
-#include "core/memory.h"
+#include "base/memory.h"
 
 void rebuild_detach_obstacles(struct simulation *s, struct rebuild_rows *rows) {
     const struct physics_active *obstacles = s->physics.obstacles;

@@ -4,7 +4,7 @@
 #define SCREE_ENGINE_REBUILD_ROWS_H
 
 #include "engine/state.h"
-#include "pairs/history_keep.h"
+#include "kernel/pairs/history_keep.h"
 
 /* Contact history of pairs and walls during a rebuild, or on the way to a checkpoint. */
 struct rebuild_rows {

@@ -4,20 +4,20 @@
  * run then equals that of the uninterrupted run, bit for bit. */
 #include "engine/crossings.h"
 #include "engine/deform.h"
-#include "engine/load.h"
+#include "engine/load_balance.h"
 #include "engine/resume_check.h"
 #include "engine/rebuild_rows.h"
 #include "engine/rebuild.h"
 #include "engine/resume.h"
 #include "engine/skin_auto.h"
-#include "core/memory.h"
-#include "particles/groups.h"
+#include "base/memory.h"
+#include "kernel/particles/groups.h"
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
 /* Numbers of a run that the simulation does not hold in the form that is written. Numbers of the ranks, if as many ranks
- * resume: the state of a bisection's load (load.h). */
+ * resume: the state of a bisection's load (load_balance.h). */
 struct resume_numbers {
     double fraction; /* fraction of the stable step; 0: the scene gives the step */
     double load_fresh, load_reached;

@@ -2,12 +2,12 @@
 /* The changes of a scene that are allowed between a checkpoint and a resume. */
 #include "engine/resume_check.h"
 #include "engine/deform.h"
-#include "particles/material.h"
-#include "core/memory.h"
-#include "particles/groups.h"
-#include "particles/kinds.h"
-#include "scene/scene_read.h"
-#include "scene/schema.h"
+#include "kernel/particles/material.h"
+#include "base/memory.h"
+#include "kernel/particles/groups.h"
+#include "kernel/particles/kinds.h"
+#include "data/scene/scene_read.h"
+#include "data/scene/schema.h"
 #include <math.h>
 #include <stdio.h>
 #include <string.h>

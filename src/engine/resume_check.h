@@ -4,7 +4,7 @@
 #define SCREE_ENGINE_RESUME_CHECK_H
 
 #include "engine/state.h"
-#include "formats/checkpoint.h"
+#include "data/formats/checkpoint.h"
 
 /* Refuses (user) a checkpoint that does not fit the scene: another box, dimension, law, history of contacts
  * or system of units, or a scene without the material or group of a particle. Lists the changes in

@@ -9,18 +9,18 @@
 #include "engine/step.h"
 #include "engine/folder.h"
 #include "engine/guards.h"
-#include "engine/load.h"
+#include "engine/load_balance.h"
 #include "engine/notes.h"
 #include "engine/outputs.h"
 #include "engine/resume.h"
 #include "engine/run_report.h"
 #include "engine/run_stages.h"
-#include "core/log.h"
-#include "core/memory.h"
-#include "formats/checkpoint.h"
-#include "observe/progress.h"
-#include "observe/report_json.h"
-#include "observe/report_print.h"
+#include "base/log.h"
+#include "base/memory.h"
+#include "data/formats/checkpoint.h"
+#include "data/observe/progress.h"
+#include "data/observe/report_json.h"
+#include "data/observe/report_print.h"
 #include <math.h>
 #include <signal.h>
 #include <stdio.h>
@@ -237,7 +237,7 @@ static bool run_open(struct run *run, struct error *error) {
     return outputs_write(run->outputs, s, error);
 }
 
-static bool watch_begin(const struct run *run, struct error *error) {
+static bool solver_watch_begin(const struct run *run, struct error *error) {
     const struct run_watch *watch = run->options->watch;
     return watch == NULL || watch->begin(watch->context, run->s, error);
 }
@@ -356,7 +356,7 @@ int run_one(const struct comm *comm, const struct scene *scene, const struct run
     start_tell(&run);
     run_signals_catch();
     if (run_stages_open(&run.stages, run.s, &run.output, error) && run_open(&run, error) &&
-        watch_begin(&run, error)) {
+        solver_watch_begin(&run, error)) {
         notes_tell(&run, false);
         run.record.setup = timer_now() - start;
         run_loop(&run, error);

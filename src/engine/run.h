@@ -5,8 +5,8 @@
 
 #include "engine/run_stages.h"
 #include "engine/simulation.h"
-#include "observe/progress.h"
-#include "observe/report.h"
+#include "data/observe/progress.h"
+#include "data/observe/report.h"
 
 /* An observer of a running scene (functions may be NULL). All calls are collective. */
 struct run_watch {

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* Runs a scene: as a whole, or stage after stage. Read run.h and run_stages.h first. */
 #include "engine/run.h"
-#include "scene/scene_read.h"
+#include "data/scene/scene_read.h"
 #include <stdio.h>
 
 /* Runs stages, each from the checkpoint at the end of the stage before. The report is that of the last stage. */

@@ -1,11 +1,11 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
-/* Fills the report of a run (observe/report.h) from the simulation. Read run_report.h first. */
+/* Fills the report of a run (data/observe/report.h) from the simulation. Read run_report.h first. */
 #include "engine/run_report.h"
 #include "engine/tune.h"
 #include "engine/sources.h"
-#include "engine/load.h"
-#include "engine/view.h"
-#include "core/memory.h"
+#include "engine/load_balance.h"
+#include "engine/index_view.h"
+#include "base/memory.h"
 #include <math.h>
 #include <stdio.h>
 

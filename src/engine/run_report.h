@@ -4,7 +4,7 @@
 #define SCREE_ENGINE_RUN_REPORT_H
 
 #include "engine/state.h"
-#include "observe/report.h"
+#include "data/observe/report.h"
 
 /* Data of the loop of steps for the report. */
 struct run_record {

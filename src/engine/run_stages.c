@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* The ends of stages: by duration, or by conditions on observables. Read run_stages.h first. */
 #include "engine/run_stages.h"
-#include "engine/view.h"
-#include "formats/checkpoint.h"
+#include "engine/index_view.h"
+#include "data/formats/checkpoint.h"
 #include <assert.h>
 #include <inttypes.h>
 #include <math.h>

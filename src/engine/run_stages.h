@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
-/* The stages of a run (scene/scene_stage.h). Each stage is a simulation of its own: at its end the simulation writes a
+/* The stages of a run (data/scene/scene_stage.h). Each stage is a simulation of its own: at its end the simulation writes a
  * checkpoint, and the simulation of the next stage, whose scene has changed, begins with this checkpoint. A resume does
  * the same, so that a run that was interrupted within a stage, or between two stages, has the same bits as a run that
  * was not. */
@@ -7,8 +7,8 @@
 #define SCREE_ENGINE_RUN_STAGES_H
 
 #include "engine/state.h"
-#include "observe/observables.h"
-#include "observe/report.h"
+#include "data/observe/observables.h"
+#include "data/observe/report.h"
 
 /* The end of the present stage; all zero: the scene has no stages. */
 struct run_stages {

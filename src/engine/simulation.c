@@ -13,11 +13,11 @@
 #include "engine/rebuild.h"
 #include "engine/step.h"
 #include "engine/guards.h"
-#include "engine/load.h"
-#include "engine/view.h"
-#include "core/memory.h"
-#include "scene/scene_read.h"
-#include "particles/kinds.h"
+#include "engine/load_balance.h"
+#include "engine/index_view.h"
+#include "base/memory.h"
+#include "data/scene/scene_read.h"
+#include "kernel/particles/kinds.h"
 
 static bool mine(void *context, const double x[3]) {
     const struct simulation *s = context;

@@ -3,11 +3,11 @@
  * simulation_parts.h first. */
 #include "engine/simulation_parts.h"
 #include "engine/sources.h"
-#include "engine/view.h"
-#include "comm/balance.h"
-#include "comm/cores.h"
-#include "core/memory.h"
-#include "core/threads.h"
+#include "engine/index_view.h"
+#include "kernel/comm/balance.h"
+#include "kernel/comm/cores.h"
+#include "base/memory.h"
+#include "base/threads.h"
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>

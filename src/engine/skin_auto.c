@@ -2,7 +2,7 @@
 /* Counts pairs, contacts and displacements for the choice of the skin. Read skin_auto.h first. */
 #include "engine/skin_auto.h"
 #include "engine/decide.h"
-#include "engine/view.h"
+#include "engine/index_view.h"
 #include <math.h>
 
 /* After so many steps without a rebuild, and at each power of two of steps after, a run looks whether a shorter

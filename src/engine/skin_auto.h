@@ -1,12 +1,12 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
-/* The skin that a run chooses by itself (`skin: auto`): pairs/skin_choice.h has the model, and this file gives the
+/* The skin that a run chooses by itself (`skin: auto`): kernel/pairs/skin_choice.h has the model, and this file gives the
  * model its counts and sets the skins. A choice depends on counts and displacements alone, so a run is the same
  * each time, and in reproducible mode the same on all layouts. */
 #ifndef SCREE_ENGINE_SKIN_AUTO_H
 #define SCREE_ENGINE_SKIN_AUTO_H
 
 #include "engine/state.h"
-#include "formats/restart.h"
+#include "data/formats/restart.h"
 
 /* The options of the size classes, with the skin that is chosen at present. */
 struct classes_options skin_auto_options(const struct simulation *simulation);

@@ -4,7 +4,7 @@
 #ifndef SCREE_ENGINE_STAGES_H
 #define SCREE_ENGINE_STAGES_H
 
-#include "core/timer.h"
+#include "base/timer.h"
 #include "engine/physics.h"
 
 /* Registers the stages of a run with these physics, whether or not a pass of the stage will run: runs of a

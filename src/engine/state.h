@@ -6,15 +6,15 @@
 #define SCREE_ENGINE_STATE_H
 
 #include "engine/plan.h"
-#include "core/log.h"
-#include "core/team.h"
-#include "formats/output.h"
-#include "pairs/skin.h"
-#include "pairs/skin_choice.h"
-#include "pairs/ring.h"
-#include "pairs/sweep.h"
-#include "scene/compare.h"
-#include "scene/scene_particles.h"
+#include "base/log.h"
+#include "base/team.h"
+#include "data/formats/output.h"
+#include "kernel/pairs/skin.h"
+#include "kernel/pairs/skin_choice.h"
+#include "kernel/pairs/ring.h"
+#include "kernel/pairs/sweep.h"
+#include "data/scene/compare.h"
+#include "data/scene/scene_particles.h"
 
 enum { TUNING_VARIANTS_MAX = 8 };
 
@@ -102,7 +102,7 @@ struct ranks {
         double reached;     /* imbalance right after the last division; 0: none yet */
         double seconds;     /* of work at the last measurement */
         uint64_t divisions; /* number of divisions by weight */
-    } load;                 /* load.h */
+    } load;                 /* load_balance.h */
 };
 
 /* Particles that come and go (sources.h). */

@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
-/* The decision of a rebuild whether the particles stay as they lie. Read index/grids/levels_stay.c first. */
+/* The decision of a rebuild whether the particles stay as they lie. Read index/levels/levels_stay.c first. */
 #include "engine/stay.h"
 #include "engine/sources.h"
 #include "engine/tune.h"
-#include "engine/view.h"
+#include "engine/index_view.h"
 
 /* True if the particles of this rank may stay where they are; on several ranks only those of grains, as another physics
  * may ask for the owner of a place, and not in reproducible mode, in which all ranks wrap positions alike. */

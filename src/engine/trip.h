@@ -3,11 +3,11 @@
 #ifndef SCREE_ENGINE_TRIP_H
 #define SCREE_ENGINE_TRIP_H
 
-#include "core/error.h"
-#include "core/log.h"
-#include "particles/box.h"
-#include "particles/particles.h"
-#include "scene/scene.h"
+#include "base/error.h"
+#include "base/log.h"
+#include "kernel/particles/box.h"
+#include "kernel/particles/particles.h"
+#include "data/scene/scene.h"
 
 /* Stops the run by filling `error`, or warns, if that has not been done (`warned`), as the guard's setting says. */
 void trip(enum scene_guard guard, const char *text, struct error *error, const struct log *log, bool *warned);

@@ -117,14 +117,14 @@ check 'what a scene without materials needs' needed
 
 # What the rest of the program knows of it; a column of a grid's table has the name of the field, too
 two_lines() {
-    (cd "$top_srcdir" && grep -rnE 'number_density|density_(physics|schema|fields|observables)|src/density|libdensity|PHYSICS_density' \
-        --include='*.c' --include='*.h' --include='*.mk' --include=Makefile.am src index Makefile.am | grep -vE '^src/density/|: \* |,number_density,') >known
+    (cd "$top_srcdir" && grep -rnE 'number_density|density_(physics|schema|fields|observables)|src/physics/density|libdensity|PHYSICS_density' \
+        --include='*.c' --include='*.h' --include='*.mk' --include=Makefile.am src index Makefile.am | grep -vE '^src/physics/density/|: \* |,number_density,') >known
     cat known
     [ "$(wc -l <known)" = 2 ] && grep -q '^src/physics_table.h' known && grep -q '^Makefile.am' known
 }
 check 'a row of a table and a line of the makefile' two_lines
 short() {
-    [ "$(cat "$top_srcdir"/src/density/*.[ch] | wc -l)" -le 160 ]
+    [ "$(cat "$top_srcdir"/src/physics/density/*.[ch] | wc -l)" -le 160 ]
 }
 check 'in 160 lines' short
 finish

@@ -19,7 +19,7 @@ declared() {
 
 # mapped MAP: the names of a map
 mapped() {
-    sed -n 's/^ *\(scree_[a-z_]*\);/\1/p' "$top_srcdir/src/lib/$1.map" | sort
+    sed -n 's/^ *\(scree_[a-z_]*\);/\1/p' "$top_srcdir/src/front/library/$1.map" | sort
 }
 
 # same_names LIBRARY HEADER...: library, map and headers have the same names

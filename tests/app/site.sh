@@ -29,7 +29,7 @@ shows() {
 functions=$(grep -vhE '^(/\*| \*)' "$top_srcdir"/src/scree.h "$top_srcdir"/src/scree_pairs.h | grep -oE '\bscree_[a-z_]+\(' | tr -d '(' | sort -u)
 # shellcheck disable=SC2086
 check 'each function of the headers is in it' shows library $functions scree_options.log scree_status.SCREE_USER
-names=$(sed -n 's/^    def \([a-z][a-z_]*\)(.*/scree.Simulation.\1/p' "$top_srcdir/src/python/scree/_simulation.py")
+names=$(sed -n 's/^    def \([a-z][a-z_]*\)(.*/scree.Simulation.\1/p' "$top_srcdir/src/front/python/scree/_simulation.py")
 # shellcheck disable=SC2086
 check 'each name of scree.Simulation, and scree.pairs' shows python $names scree.pairs scree.Scene scree.Error
 

@@ -5,15 +5,15 @@
  *
  * HDF5 files are not among these: a checkpoint is guarded by checksums, and what lies behind them is HDF5's
  * own reading. */
-#include "core/memory.h"
-#include "files/numbers.h"
-#include "formats/dump.h"
-#include "formats/frame.h"
-#include "formats/info.h"
-#include "formats/lammps_data.h"
-#include "scene/scene_particles.h"
-#include "scene/scene_read.h"
-#include "walls/mesh.h"
+#include "base/memory.h"
+#include "base/numbers.h"
+#include "data/formats/dump.h"
+#include "data/formats/frame.h"
+#include "data/formats/info.h"
+#include "data/formats/lammps_data.h"
+#include "data/scene/scene_particles.h"
+#include "data/scene/scene_read.h"
+#include "physics/grains/walls/mesh.h"
 
 #include <stdio.h>
 #include <stdlib.h>

@@ -11,8 +11,8 @@
  *
  * One line of JSON: seconds are CPU time over threads, the least of the repetitions, of order + build + fill.
  */
-#include "core/memory.h"
-#include "index/choose/auto.h"
+#include "base/memory.h"
+#include "index/choose/auto_choose.h"
 #include "tests/index/bench_fit.h"
 #include "tests/index/bench_scene.h"
 

@@ -2,11 +2,11 @@
 /* Makes the packings of the benchmark. Read bench_scene.h first. */
 #include "tests/index/bench_scene.h"
 
-#include "core/memory.h"
-#include "core/random.h"
-#include "formats/lammps_data.h"
-#include "particles/box.h"
-#include "scene/placegrid.h"
+#include "base/memory.h"
+#include "base/random.h"
+#include "data/formats/lammps_data.h"
+#include "kernel/particles/box.h"
+#include "data/scene/placegrid.h"
 
 #include <math.h>
 #include <stdio.h>

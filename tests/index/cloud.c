@@ -8,7 +8,7 @@
 
 #include "tests/index/cloud.h"
 
-#include "core/random.h"
+#include "base/random.h"
 
 #include <math.h>
 #include <stdio.h>

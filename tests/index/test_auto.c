@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* The choice of auto: levels, cuts and cells for scenes with a clear answer, and equal choices for equal
  * scenes. */
-#include "index/choose/auto.h"
+#include "index/choose/auto_choose.h"
 #include "tests/index/cloud.h"
 
 #include <math.h>

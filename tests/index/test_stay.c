@@ -7,7 +7,7 @@
 #include <stdint.h>
 #include <cmocka.h>
 
-#include "core/random.h"
+#include "base/random.h"
 #include "tests/index/cloud.h"
 
 #include <stdio.h>

@@ -6,8 +6,8 @@
 #include <stdint.h>
 #include <cmocka.h>
 
-#include "core/random.h"
-#include "index/grids/frame.h"
+#include "base/random.h"
+#include "index/grids/grid_frame.h"
 #include "index/grids/grid.h"
 #include "index/grids/stencil.h"
 
@@ -47,7 +47,7 @@ static void frames_keep_distances(void **state) {
     for (int periodic = 0; periodic < 2; periodic++) {
         struct index_view view = view_of(x, periodic);
         struct frame frame;
-        frame_make(&frame, &view);
+        grid_frame_make(&frame, &view);
         assert_true(frame.tolerance > 0 && frame.tolerance < 1e-3);
         for (int k = 0; k < POINTS * POINTS; k++) {
             const double *a = x[k % POINTS], *b = x[k / POINTS];
@@ -55,8 +55,8 @@ static void frames_keep_distances(void **state) {
             double exact = 0, rounded = 0;
             for (int d = 0; d < 3; d++) {
                 double dx = (b[d] - a[d] + image * view.edge[d]) * frame.scale;
-                float shifted = frame_coordinate(&frame, d, b[d]) + (float)image * frame.edge[d];
-                float df = shifted - frame_coordinate(&frame, d, a[d]);
+                float shifted = grid_frame_coordinate(&frame, d, b[d]) + (float)image * frame.edge[d];
+                float df = shifted - grid_frame_coordinate(&frame, d, a[d]);
                 exact += dx * dx;
                 rounded += (double)df * df;
             }
@@ -71,13 +71,13 @@ static void frames_end_where_particles_end(void **state) {
     double x[POINTS][4];
     struct index_view view = view_of(x, false);
     struct frame frame;
-    frame_make(&frame, &view);
+    grid_frame_make(&frame, &view);
     assert_false(frame.clamped);
     for (int d = 0; d < 3; d++) {
         float low = INFINITY, high = -INFINITY, owned = -INFINITY;
         for (size_t k = 0; k < POINTS; k++) {
-            assert_true(frame_holds(&frame, d, x[k][d]));
-            float at = frame_coordinate(&frame, d, x[k][d]);
+            assert_true(grid_frame_holds(&frame, d, x[k][d]));
+            float at = grid_frame_coordinate(&frame, d, x[k][d]);
             low = fminf(low, at);
             high = fmaxf(high, at);
             owned = k < view.owned ? high : owned;
@@ -94,15 +94,15 @@ static void cells_ascend(void **state) {
         struct index_view view = view_of(x, periodic);
         struct frame frame;
         struct grid grid;
-        frame_make(&frame, &view);
+        grid_frame_make(&frame, &view);
         grid_make(&grid, &frame, 0.77, 0.31);
         assert_true(grid.cells == (double)grid.n[0] * grid.n[1] * grid.n[2]);
         for (int d = 0; d < 3; d++) {
             assert_true(grid.n[d] > 3);
             int lowest = grid.n[d], highest = -1;
             for (int k = 0; k < POINTS; k++) {
-                float a = frame_coordinate(&frame, d, x[k][d]);
-                float b = frame_coordinate(&frame, d, x[(k + 1) % POINTS][d]);
+                float a = grid_frame_coordinate(&frame, d, x[k][d]);
+                float b = grid_frame_coordinate(&frame, d, x[(k + 1) % POINTS][d]);
                 int ca = grid_cell(&grid, d, a), cb = grid_cell(&grid, d, b);
                 assert_true(ca >= 0 && ca < grid.n[d]);
                 assert_true(a < b ? ca <= cb : ca >= cb);
@@ -131,7 +131,7 @@ static void stencils_cover_the_reach(void **state) {
     struct index_view view = view_of(x, false);
     struct frame frame;
     struct grid grid;
-    frame_make(&frame, &view);
+    grid_frame_make(&frame, &view);
     for (double edge = 0.4; edge < 5; edge *= 1.7) {
         struct stencil stencil = {0};
         grid_make(&grid, &frame, edge, edge / 2);
@@ -142,8 +142,8 @@ static void stencils_cover_the_reach(void **state) {
             int apart[3];
             double square = 0, gap = 0;
             for (int d = 0; d < 3; d++) {
-                float a = frame_coordinate(&frame, d, x[k % POINTS][d]);
-                float b = frame_coordinate(&frame, d, x[k / POINTS][d]);
+                float a = grid_frame_coordinate(&frame, d, x[k % POINTS][d]);
+                float b = grid_frame_coordinate(&frame, d, x[k / POINTS][d]);
                 apart[d] = grid_cell(&grid, d, b) - grid_cell(&grid, d, a);
                 square += ((double)b - a) * ((double)b - a);
                 gap += pow(fmax(0, (abs(apart[d]) - 2) * grid.size[d]), 2);
@@ -166,13 +166,13 @@ static void frames_survive_nonsense(void **state) {
     x[7][1] = INFINITY;
     x[9][2] = -1e300;
     struct frame frame;
-    frame_make(&frame, &view);
+    grid_frame_make(&frame, &view);
     assert_true(frame.tolerance < 1e-2f &&
                 isfinite(frame.all_high[0] + frame.all_high[1] + frame.all_low[2]));
-    assert_false(frame_holds(&frame, 0, x[3][0]));
-    assert_false(frame_holds(&frame, 1, x[7][1]));
-    assert_false(frame_holds(&frame, 2, x[9][2]));
-    assert_true(frame_holds(&frame, 0, x[4][0]));
+    assert_false(grid_frame_holds(&frame, 0, x[3][0]));
+    assert_false(grid_frame_holds(&frame, 1, x[7][1]));
+    assert_false(grid_frame_holds(&frame, 2, x[9][2]));
+    assert_true(grid_frame_holds(&frame, 0, x[4][0]));
 }
 
 int main(void) {

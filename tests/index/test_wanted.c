@@ -7,8 +7,8 @@
 #include <stdint.h>
 #include <cmocka.h>
 
-#include "index/grids/levels.h"
-#include "index/grids/levels_plan.h"
+#include "index/levels/levels.h"
+#include "index/levels/levels_plan.h"
 #include "tests/index/cloud.h"
 
 #include <math.h>

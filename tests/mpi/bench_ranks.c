@@ -8,12 +8,12 @@
  * Seconds: brick, bisection (the making of the domain, neighbours included), divide (the cut tree from the corners of all
  * subdomains, as after Zoltan), groups (one sorting of the copies of a rank). Nanoseconds: owner_brick,
  * owner_bisection. Bytes: brick_bytes, tree_bytes, groups_bytes. */
-#include "comm/domain.h"
-#include "comm/domain_tree.h"
-#include "comm/groups.h"
-#include "core/memory.h"
-#include "core/random.h"
-#include "core/timer.h"
+#include "kernel/comm/domain.h"
+#include "kernel/comm/domain_tree.h"
+#include "kernel/comm/rank_groups.h"
+#include "base/memory.h"
+#include "base/random.h"
+#include "base/timer.h"
 #include <stdio.h>
 #include <stdlib.h>
 
@@ -94,11 +94,11 @@ static void time_groups(int ranks) {
         struct groups groups;
         memory_peak_reset();
         double start = timer_now();
-        groups_make(&groups, rank, COPIES, ranks);
+        rank_groups_make(&groups, rank, COPIES, ranks);
         double seconds = timer_now() - start;
         least = seconds < least ? seconds : least;
         most = memory_peak() - before;
-        groups_free(&groups);
+        rank_groups_free(&groups);
     }
     printf("\"groups\": %.4g, \"groups_bytes\": %zu}\n", least, most);
     memory_free(rank);

@@ -2,10 +2,10 @@
 /* Makes the cloud, and the value that each field of each particle must have. Read cloud.h first. */
 #include "cloud.h"
 
-#include "core/memory.h"
-#include "core/random.h"
-#include "particles/fields.h"
-#include "pairs/classes_choose.h"
+#include "base/memory.h"
+#include "base/random.h"
+#include "kernel/particles/fields.h"
+#include "kernel/pairs/classes_choose.h"
 
 #include <math.h>
 #include <string.h>

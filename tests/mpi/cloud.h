@@ -5,7 +5,7 @@
 #ifndef SCREE_TESTS_MPI_CLOUD_H
 #define SCREE_TESTS_MPI_CLOUD_H
 
-#include "particles/particles.h"
+#include "kernel/particles/particles.h"
 #include "tests/fields_by_hand.h"
 
 enum cloud_radii {

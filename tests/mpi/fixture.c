@@ -8,8 +8,8 @@
 #include <stdint.h>
 #include <cmocka.h>
 
-#include "comm/domain_tree.h"
-#include "core/random.h"
+#include "kernel/comm/domain_tree.h"
+#include "base/random.h"
 
 #include <math.h>
 #include <stdlib.h>

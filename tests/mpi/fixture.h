@@ -4,7 +4,7 @@
 #define SCREE_TESTS_MPI_FIXTURE_H
 
 #include "cloud.h"
-#include "comm/ghosts.h"
+#include "kernel/comm/ghosts.h"
 #include "team.h"
 
 enum { FIXTURE_STAMP = 3 }; /* the stamp of the values that fields have at first */

@@ -3,7 +3,7 @@
 #ifndef SCREE_TESTS_MPI_FOLDER_H
 #define SCREE_TESTS_MPI_FOLDER_H
 
-#include "comm/comm.h"
+#include "kernel/comm/comm.h"
 
 enum { FOLDER_MAX = 512 };
 

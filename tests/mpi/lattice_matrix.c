@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* Matrices of lattices. Read lattice_matrix.h first. */
 #include "lattice_matrix.h"
-#include "core/memory.h"
+#include "base/memory.h"
 #include <math.h>
 
 double lattice_matrix_draw(int32_t a, int32_t b) {

@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
-/* Matrices of lattices whose solutions can be checked from the rows: shared by the tests of src/solve. */
+/* Matrices of lattices whose solutions can be checked from the rows: shared by the tests of src/physics/solve. */
 #ifndef SCREE_TESTS_MPI_LATTICE_MATRIX_H
 #define SCREE_TESTS_MPI_LATTICE_MATRIX_H
 
-#include "solve/solve.h"
+#include "physics/solve/solve.h"
 #include "team.h"
 
 enum { LATTICE_LINKS_MAX = 6 };

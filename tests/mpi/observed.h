@@ -4,10 +4,10 @@
 #define SCREE_TESTS_MPI_OBSERVED_H
 
 #include "cloud.h"
-#include "core/memory.h"
+#include "base/memory.h"
 #include "folder.h"
-#include "observe/observables_kinds.h"
-#include "particles/fields.h"
+#include "data/observe/observables_kinds.h"
+#include "kernel/particles/fields.h"
 #include "team.h"
 
 #include <math.h>

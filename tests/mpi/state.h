@@ -4,12 +4,12 @@
 #define SCREE_TESTS_MPI_STATE_H
 
 #include "cloud.h"
-#include "core/memory.h"
-#include "core/random.h"
+#include "base/memory.h"
+#include "base/random.h"
 #include "folder.h"
-#include "formats/checkpoint.h"
-#include "formats/checkpoint_table.h"
-#include "particles/fields.h"
+#include "data/formats/checkpoint.h"
+#include "data/formats/checkpoint_table.h"
+#include "kernel/particles/fields.h"
 #include "team.h"
 
 #include <stdlib.h>

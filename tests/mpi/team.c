@@ -2,7 +2,7 @@
 /* Collects failures; all ranks agree on the failures. Read team.h first. */
 #include "team.h"
 
-#include "core/memory.h"
+#include "base/memory.h"
 
 #include <setjmp.h>
 #include <stdarg.h>

@@ -5,7 +5,7 @@
 #ifndef SCREE_TESTS_MPI_TEAM_H
 #define SCREE_TESTS_MPI_TEAM_H
 
-#include "comm/comm.h"
+#include "kernel/comm/comm.h"
 
 struct team {
     struct comm comm;
@@ -13,7 +13,7 @@ struct team {
 };
 
 /* Starts MPI; ranks other than 0 keep quiet on stdout. Stop ends MPI, and returns 1 if this rank still holds
- * memory from core/memory.h, else 0. */
+ * memory from base/memory.h, else 0. */
 void team_start(struct team *team, int *argc, char ***argv);
 int team_stop(struct team *team);
 

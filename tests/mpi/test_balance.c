@@ -8,9 +8,9 @@
 #include <stdint.h>
 #include <cmocka.h>
 
-#include "comm/balance.h"
-#include "core/memory.h"
-#include "core/random.h"
+#include "kernel/comm/balance.h"
+#include "base/memory.h"
+#include "base/random.h"
 #include "team.h"
 
 #include <math.h>

@@ -6,8 +6,8 @@
 #include <stdint.h>
 #include <cmocka.h>
 
-#include "comm/comm.h"
-#include "core/memory.h"
+#include "kernel/comm/comm.h"
+#include "base/memory.h"
 #include "team.h"
 
 #include <stdio.h>

@@ -7,7 +7,7 @@
 #include <stdint.h>
 #include <cmocka.h>
 
-#include "core/memory.h"
+#include "base/memory.h"
 #include "fixture.h"
 #include "index/index.h"
 

@@ -7,11 +7,11 @@
 #include <stdint.h>
 #include <cmocka.h>
 
-#include "comm/domain.h"
-#include "comm/domain_grid.h"
-#include "comm/domain_tree.h"
-#include "core/memory.h"
-#include "core/random.h"
+#include "kernel/comm/domain.h"
+#include "kernel/comm/domain_grid.h"
+#include "kernel/comm/domain_tree.h"
+#include "base/memory.h"
+#include "base/random.h"
 
 #include <math.h>
 #include <string.h>

@@ -8,15 +8,15 @@
 #include <cmocka.h>
 
 #include "cloud.h"
-#include "core/memory.h"
+#include "base/memory.h"
 #include "folder.h"
-#include "formats/checkpoint.h"
-#include "formats/convert.h"
-#include "formats/dump.h"
-#include "formats/h5md_read.h"
-#include "formats/info.h"
-#include "formats/lammps_data.h"
-#include "particles/fields.h"
+#include "data/formats/checkpoint.h"
+#include "data/formats/convert.h"
+#include "data/formats/dump.h"
+#include "data/formats/h5md_read.h"
+#include "data/formats/info.h"
+#include "data/formats/lammps_data.h"
+#include "kernel/particles/fields.h"
 #include "team.h"
 
 #include <math.h>

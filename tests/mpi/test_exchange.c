@@ -7,9 +7,9 @@
 #include <stdint.h>
 #include <cmocka.h>
 
-#include "comm/exchange.h"
-#include "core/memory.h"
-#include "core/random.h"
+#include "kernel/comm/exchange.h"
+#include "base/memory.h"
+#include "base/random.h"
 #include "team.h"
 
 #include <stdio.h>

@@ -7,9 +7,9 @@
 #include <stdint.h>
 #include <cmocka.h>
 
-#include "core/memory.h"
+#include "base/memory.h"
 #include "fixture.h"
-#include "particles/fields.h"
+#include "kernel/particles/fields.h"
 
 #include <math.h>
 #include <omp.h>

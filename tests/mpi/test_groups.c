@@ -6,16 +6,16 @@
 #include <stdint.h>
 #include <cmocka.h>
 
-#include "comm/groups.h"
-#include "core/memory.h"
-#include "core/random.h"
+#include "kernel/comm/rank_groups.h"
+#include "base/memory.h"
+#include "base/random.h"
 
 enum { ITEMS = 500, SIZE = 40 };
 
 /* Every item once, in groups of increasing rank, in order inside a group. */
 static void compare(const int *rank, size_t n, int size) {
     struct groups groups;
-    groups_make(&groups, rank, n, size);
+    rank_groups_make(&groups, rank, n, size);
     assert_int_equal(groups.start[groups.count], n);
     size_t seen = 0;
     for (size_t g = 0; g < groups.count; g++) {
@@ -27,7 +27,7 @@ static void compare(const int *rank, size_t n, int size) {
             assert_true(seen == groups.start[g] || groups.item[seen] > groups.item[seen - 1]);
         }
     }
-    groups_free(&groups);
+    rank_groups_free(&groups);
     assert_null(groups.item);
 }
 

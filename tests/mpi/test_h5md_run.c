@@ -7,7 +7,7 @@
 #include <stdint.h>
 #include <cmocka.h>
 
-#include "files/file.h"
+#include "base/file.h"
 #include "trajectory.h"
 
 #include <sys/resource.h>

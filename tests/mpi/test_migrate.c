@@ -9,9 +9,9 @@
 #include <cmocka.h>
 
 #include "cloud.h"
-#include "comm/ghosts.h"
-#include "core/memory.h"
-#include "particles/fields.h"
+#include "kernel/comm/ghosts.h"
+#include "base/memory.h"
+#include "kernel/particles/fields.h"
 #include "team.h"
 
 #include <string.h>

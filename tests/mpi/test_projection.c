@@ -8,14 +8,14 @@
 #include <stdint.h>
 #include <cmocka.h>
 
-#include "core/memory.h"
-#include "fluid/forces.h"
-#include "fluid/mirror.h"
-#include "fluid/projection.h"
-#include "fluid/steady.h"
-#include "particles/kinds.h"
+#include "base/memory.h"
+#include "physics/fluid/operators/surface_forces.h"
+#include "physics/fluid/lattice/mirror.h"
+#include "physics/fluid/schemes/projection.h"
+#include "physics/fluid/schemes/steady.h"
+#include "kernel/particles/kinds.h"
 #include "team.h"
-#include "pairs/classes_choose.h"
+#include "kernel/pairs/classes_choose.h"
 
 #include <math.h>
 #include <omp.h>
@@ -313,8 +313,8 @@ static void steady_flow_is_found(void **state) {
                 team_expect(team, steady_solve(steady, &s.flow, force, &report, &error), "%s", error.text);
                 double gap = profile_error(&s, 100, 0), sum[2] = {0};
                 size_t feet = s.weights.foot_start[s.weights.rows];
-                struct forces_part *part = memory_allocate(feet, sizeof *part, "test");
-                forces_feet(&s.flow, 1, part);
+                struct surface_forces_part *part = memory_allocate(feet, sizeof *part, "test");
+                surface_forces_feet(&s.flow, 1, part);
                 for (size_t f = 0; f < feet; f++)
                     for (int d = 0; d < 2; d++)
                         sum[d] += part[f].viscous[d] + part[f].pressure[d];

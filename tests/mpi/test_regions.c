@@ -7,8 +7,8 @@
 #include <stdint.h>
 #include <cmocka.h>
 
-#include "core/memory.h"
-#include "fluid/regions.h"
+#include "base/memory.h"
+#include "physics/fluid/lattice/regions.h"
 #include "team.h"
 
 #include <stdlib.h>
@@ -57,7 +57,7 @@ static bool take(struct whole *whole, int64_t node, int d, int step) {
     return true;
 }
 
-static void whole_make(struct whole *whole, double part) {
+static void gradient_correction_make(struct whole *whole, double part) {
     bool changed = true;
     whole->all = whole->count[0] * whole->count[1] * whole->count[2];
     whole->fluid = memory_allocate((size_t)whole->all, 1, "test");
@@ -128,7 +128,7 @@ static void try(struct team *team, int dimension, int64_t edge, bool periodic, d
     struct nodes nodes = {
         .dimension = dimension, .spacing = 1, .support = 2.2, .box = &box, .comm = &team->comm};
     nodes.lattice = (struct arrangement){.dimension = dimension, .step = {1, 1, 1}, .volume = 1};
-    whole_make(&whole, part);
+    gradient_correction_make(&whole, part);
     memcpy(nodes.whole, whole.count, sizeof nodes.whole);
     nodes_deal(&nodes);
     nodes.state = memory_allocate((size_t)nodes.all, sizeof *nodes.state, "test");

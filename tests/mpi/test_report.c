@@ -7,13 +7,13 @@
 #include <stdint.h>
 #include <cmocka.h>
 
-#include "core/memory.h"
-#include "core/version.h"
+#include "base/memory.h"
+#include "base/version.h"
 #include "folder.h"
-#include "files/file.h"
-#include "observe/progress.h"
-#include "observe/report_json.h"
-#include "observe/report_print.h"
+#include "base/file.h"
+#include "data/observe/progress.h"
+#include "data/observe/report_json.h"
+#include "data/observe/report_print.h"
 #include "team.h"
 
 #include <math.h>

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* Particle sources on many ranks. Ranks: 1 2 3 5 */
-#include "comm/domain.h"
-#include "formats/convert.h"
+#include "kernel/comm/domain.h"
+#include "data/formats/convert.h"
 #include "tests/fields_by_hand.h"
 #include "tests/mpi/folder.h"
 #include "tests/scene_by_hand.h"

@@ -10,9 +10,9 @@
 #include <stdint.h>
 #include <cmocka.h>
 
-#include "comm/ghosts.h"
+#include "kernel/comm/ghosts.h"
 #include "team.h"
-#include "pairs/classes_choose.h"
+#include "kernel/pairs/classes_choose.h"
 
 #include <float.h>
 #include <math.h>

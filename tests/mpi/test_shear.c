@@ -9,11 +9,11 @@
 #include <cmocka.h>
 
 #include "cloud.h"
-#include "comm/domain_tree.h"
-#include "comm/ghosts.h"
-#include "core/memory.h"
-#include "core/random.h"
-#include "pairs/skin.h"
+#include "kernel/comm/domain_tree.h"
+#include "kernel/comm/ghosts.h"
+#include "base/memory.h"
+#include "base/random.h"
+#include "kernel/pairs/skin.h"
 #include "team.h"
 
 #include <math.h>

@@ -8,7 +8,7 @@
 #include <stdint.h>
 #include <cmocka.h>
 
-#include "core/memory.h"
+#include "base/memory.h"
 #include "lattice_matrix.h"
 
 #include <math.h>

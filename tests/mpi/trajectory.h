@@ -4,11 +4,11 @@
 #define SCREE_TESTS_MPI_TRAJECTORY_H
 
 #include "cloud.h"
-#include "core/memory.h"
+#include "base/memory.h"
 #include "folder.h"
-#include "formats/h5md.h"
-#include "formats/h5md_read.h"
-#include "particles/fields.h"
+#include "data/formats/h5md.h"
+#include "data/formats/h5md_read.h"
+#include "kernel/particles/fields.h"
 #include "team.h"
 
 #include <hdf5.h>

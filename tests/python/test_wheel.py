@@ -13,7 +13,7 @@ SOURCE = pathlib.Path(__file__).parents[2].resolve()
 
 
 def test_the_wheel_works_by_itself(tmp_path, monkeypatch):
-    monkeypatch.syspath_prepend(str(SOURCE / "src/python"))
+    monkeypatch.syspath_prepend(str(SOURCE / "src/front/python"))
     import build_package
 
     monkeypatch.setenv("SCREE_LIBRARY", scree._where.LIBRARY)

@@ -1,0 +1,219 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
+/* Observables of one wall, one particle, one region. */
+#include "data/observe/observables_kinds.h"
+#include "kernel/particles/material.h"
+#include "kernel/particles/spin.h"
+
+#include <math.h>
+#include <string.h>
+
+static double dot(const double a[3], const double b[3]) {
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+static void force_on_wall(const struct observable_context *context, struct observable_item *item,
+                          double *part) {
+    memcpy(part, context->wall_force[item->wall], 3 * sizeof *part);
+}
+
+static void torque_on_wall(const struct observable_context *context, struct observable_item *item,
+                           double *part) {
+    memcpy(part, context->wall_force[item->wall] + 3, 3 * sizeof *part);
+}
+
+/* Every rank knows the poses: rank 0 gives them. */
+static void wall_offset(const struct observable_context *context, struct observable_item *item,
+                        double *part) {
+    if (context->view->comm->rank == 0)
+        walls_offset(context->view->walls, item->wall, part);
+}
+
+static void wall_velocity(const struct observable_context *context, struct observable_item *item,
+                          double *part) {
+    struct wall_pose pose;
+    walls_pose(context->view->walls, item->wall, &pose);
+    if (context->view->comm->rank == 0)
+        memcpy(part, pose.velocity, sizeof pose.velocity);
+}
+
+/* Finds the number of the item's particle on this rank; false if the particle is not here. Searches only
+ * after the particles were renumbered. */
+static bool find_particle(const struct observable_context *context, struct observable_item *item) {
+    const struct particles *p = context->view->particles;
+    bool known = item->revision == p->revision + 1 &&
+                 (item->number == SIZE_MAX || (item->number < p->owned && p->id[item->number] == item->id));
+    if (!known) {
+        item->number = SIZE_MAX;
+        for (size_t i = 0; i < p->owned && item->number == SIZE_MAX; i++)
+            if (p->id[i] == item->id)
+                item->number = i;
+        item->revision = p->revision + 1;
+    }
+    return item->number != SIZE_MAX;
+}
+
+static void position_of_one(const struct observable_context *context, struct observable_item *item,
+                            double *part) {
+    if (!find_particle(context, item))
+        return;
+    part[3] = 1;
+    observables_place(context->view, item->number, part);
+}
+
+static void velocity_of_one(const struct observable_context *context, struct observable_item *item,
+                            double *part) {
+    if (!find_particle(context, item))
+        return;
+    part[3] = 1;
+    observables_velocity(context->view, item->number, part, NULL);
+}
+
+static void spin_of_one(const struct observable_context *context, struct observable_item *item,
+                        double *part) {
+    double v[3];
+    if (!find_particle(context, item))
+        return;
+    part[3] = 1;
+    if (spin_of(context->view->particles))
+        integrator_full_step(context->view->particles, context->view->motion, item->number, v, part);
+}
+
+static void force_on_one(const struct observable_context *context, struct observable_item *item,
+                         double *part) {
+    const struct particles *p = context->view->particles;
+    if (!find_particle(context, item))
+        return;
+    part[3] = 1;
+    memcpy(part, p->force + item->number * (size_t)p->force_stride, 3 * sizeof *part);
+}
+
+/* A particle that is not there (deleted) has no values. */
+static void finish_one(const struct output_view *view, const struct observable_item *item, double *part) {
+    (void)view, (void)item;
+    for (int d = 0; d < 3; d++)
+        part[d] = part[3] > 0 ? part[d] : NAN;
+}
+
+void observables_place(const struct output_view *view, size_t i, double x[3]) {
+    memcpy(x, view->particles->state[i].x, 3 * sizeof *x);
+    box_wrap(view->box, x, NULL);
+    for (int d = 0; d < 3; d++)
+        x[d] += view->box->origin[d];
+}
+
+void observables_velocity(const struct output_view *view, size_t i, double velocity[3], double omega[3]) {
+    double x[3];
+    integrator_full_step(view->particles, view->motion, i, velocity, omega);
+    memcpy(x, view->particles->state[i].x, sizeof x);
+    if (view->box->motion.moves)
+        box_wrap(view->box, x, velocity);
+}
+
+void observables_velocity_of_body(const struct output_view *view, size_t i, double velocity[3]) {
+    const struct carried *carried = view->motion->carried;
+    if (carried && carried->pose_of[i] >= 0)
+        memcpy(velocity, carried->pose[carried->pose_of[i]].full_v, 3 * sizeof *velocity);
+    else
+        observables_velocity(view, i, velocity, NULL);
+}
+
+bool observables_region_contains(const struct output_region *region, const double x[3]) {
+    if (region->shape == OUTPUT_REGION_BOX) {
+        bool inside = true;
+        for (int d = 0; d < 3; d++)
+            inside = inside && x[d] >= region->lower[d] && x[d] < region->upper[d];
+        return inside;
+    }
+    double out[3], along = 0;
+    for (int d = 0; d < 3; d++)
+        out[d] = x[d] - region->centre[d];
+    if (region->shape == OUTPUT_REGION_CYLINDER) {
+        double length = sqrt(dot(region->axis, region->axis));
+        along = dot(out, region->axis) / length;
+        for (int d = 0; d < 3; d++)
+            out[d] -= along * region->axis[d] / length;
+        if (region->length > 0 && (along < -region->length / 2 || along >= region->length / 2))
+            return false;
+    }
+    return dot(out, out) < region->radius * region->radius;
+}
+
+bool observables_item_counts(const struct output_view *view, const struct observable_item *item, size_t i) {
+    if (item->region == NULL)
+        return true;
+    if (item->material >= 0 && material_of(material_numbers(view->particles), i) != item->material)
+        return false;
+    double x[3];
+    observables_place(view, i, x);
+    return observables_region_contains(item->region, x);
+}
+
+static void count_in_region(const struct output_view *view, const struct observable_item *item, size_t i,
+                            double *part) {
+    part[0] += observables_item_counts(view, item, i);
+}
+
+static void volume_in_region(const struct output_view *view, const struct observable_item *item, size_t i,
+                             double *part) {
+    if (observables_item_counts(view, item, i))
+        part[0] += particles_sphere_mass(view->particles->state[i].radius, 1);
+}
+
+#define OF(target, name, family, unit, components, help)                                                     \
+    { name, family, unit, help, OBSERVABLE_OF_##target, components, NULL }
+
+static const struct observable_kind kinds[] = {
+    {.info = OF(WALL, "wall_force", "wall", "N", 3, "force of the particles on a wall"),
+     .symbol = "f",
+     .parts = 3,
+     .of_rank = force_on_wall},
+    {.info = OF(WALL, "wall_torque", "wall", "N m", 3, "torque of the particles on a wall about its centre"),
+     .symbol = "t",
+     .parts = 3,
+     .of_rank = torque_on_wall},
+    {.info = OF(WALL, "wall_offset", "", "m", 3, "displacement of a wall's centre from its place at rest"),
+     .symbol = "",
+     .parts = 3,
+     .of_rank = wall_offset},
+    {.info = OF(WALL, "wall_velocity", "", "m/s", 3, "velocity of a wall"),
+     .symbol = "v",
+     .parts = 3,
+     .of_rank = wall_velocity},
+    {.info = OF(PARTICLE, "position", "", "m", 3, "position of one particle"),
+     .symbol = "",
+     .parts = 4,
+     .of_rank = position_of_one,
+     .finish = finish_one},
+    {.info = OF(PARTICLE, "velocity", "", "m/s", 3, "velocity of one particle"),
+     .symbol = "v",
+     .parts = 4,
+     .of_rank = velocity_of_one,
+     .finish = finish_one},
+    {.info = OF(PARTICLE, "angular_velocity", "", "rad/s", 3, "angular velocity of one particle"),
+     .symbol = "w",
+     .parts = 4,
+     .of_rank = spin_of_one,
+     .finish = finish_one},
+    {.info = OF(PARTICLE, "force", "", "N", 3, "force of contacts and walls on one particle"),
+     .symbol = "f",
+     .parts = 4,
+     .of_rank = force_on_one,
+     .finish = finish_one},
+    {.info =
+         OF(REGION, "count", "", "1", 1, "number of particles in a region; those of a fluid do not count"),
+     .parts = 1,
+     .of_particle = count_in_region},
+    {.info = OF(REGION, "solid_volume", "", "m3", 1, "volume of the particles whose centres are in a region"),
+     .parts = 1,
+     .of_particle = volume_in_region},
+};
+
+#undef OF
+
+int observables_single_count(void) {
+    return sizeof kinds / sizeof kinds[0];
+}
+
+const struct observable_kind *observables_single(int k) {
+    return &kinds[k];
+}

@@ -1,0 +1,109 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
+/* Regions: test of a point, bounds and volumes, random points. Read region.h first. */
+#include "data/scene/region.h"
+
+#include <math.h>
+
+static double dot(const double a[3], const double b[3]) {
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+bool region_contains(const struct region *region, const struct region_space *space, const double x[3],
+                     double margin) {
+    double d[3] = {x[0] - region->centre[0], x[1] - region->centre[1], x[2] - region->centre[2]};
+    if (space->dimension == 2)
+        d[2] = 0;
+    double along = dot(d, region->axis);
+    double room = region->radius - margin;
+    switch (region->shape) {
+    case REGION_ALL:
+        return true;
+    case REGION_BOX:
+        for (int k = 0; k < space->dimension; k++) {
+            double gap = space->wrap[k] ? 0 : margin;
+            if (!(x[k] >= region->lower[k] + gap &&
+                  (gap > 0 ? x[k] <= region->upper[k] - gap : x[k] < region->upper[k])))
+                return false;
+        }
+        return true;
+    case REGION_SPHERE:
+        return room >= 0 && dot(d, d) <= room * room;
+    default:
+        if (space->dimension == 3 && fabs(along) > region->length / 2 - margin)
+            return false;
+        return room >= 0 && dot(d, d) - along * along <= room * room;
+    }
+}
+
+void region_bounds(const struct region *region, double lower[3], double upper[3]) {
+    for (int k = 0; k < 3; k++) {
+        double half = region->radius;
+        if (region->shape == REGION_CYLINDER)
+            half = fabs(region->axis[k]) * region->length / 2 +
+                   region->radius * sqrt(fmax(0, 1 - region->axis[k] * region->axis[k]));
+        bool box = region->shape == REGION_BOX;
+        lower[k] = box                           ? region->lower[k]
+                   : region->shape == REGION_ALL ? -INFINITY
+                                                 : region->centre[k] - half;
+        upper[k] = box ? region->upper[k] : region->shape == REGION_ALL ? INFINITY : region->centre[k] + half;
+    }
+}
+
+double region_volume(const struct region *region, const struct region_space *space) {
+    double volume = 1, r = region->radius;
+    switch (region->shape) {
+    case REGION_ALL:
+        return INFINITY;
+    case REGION_BOX:
+        for (int k = 0; k < space->dimension; k++)
+            volume *= region->upper[k] - region->lower[k];
+        return volume;
+    case REGION_SPHERE:
+        return space->dimension == 2 ? M_PI * r * r : 4 * M_PI / 3 * r * r * r;
+    default:
+        return M_PI * r * r * (space->dimension == 2 ? 1 : region->length);
+    }
+}
+
+double region_inradius(const struct region *region, const struct region_space *space) {
+    double radius = INFINITY;
+    switch (region->shape) {
+    case REGION_ALL:
+        return INFINITY;
+    case REGION_BOX:
+        for (int k = 0; k < space->dimension; k++)
+            if (!space->wrap[k])
+                radius = fmin(radius, (region->upper[k] - region->lower[k]) / 2);
+        return radius;
+    case REGION_SPHERE:
+        return region->radius;
+    default:
+        return space->dimension == 2 ? region->radius : fmin(region->radius, region->length / 2);
+    }
+}
+
+bool region_draw(const struct region *region, const struct region_space *space, double margin,
+                 struct random_sequence *random, double x[3]) {
+    double lower[3], upper[3];
+    region_bounds(region, lower, upper);
+    for (int k = 0; k < 3; k++) {
+        double gap = region->shape == REGION_BOX && space->wrap[k] ? 0 : margin;
+        if (region->shape == REGION_CYLINDER && fabs(region->axis[k]) < 1)
+            gap = margin < region->radius
+                      ? 0
+                      : margin; /* the corners of a slanting cylinder's box are cut off below */
+        lower[k] += gap;
+        upper[k] -= gap;
+        if (k < space->dimension && !(upper[k] >= lower[k]))
+            return false;
+    }
+    for (int attempt = 0; attempt < 1000; attempt++) {
+        for (int k = 0; k < space->dimension; k++)
+            x[k] = lower[k] + random_uniform(random) * (upper[k] - lower[k]);
+        if (space->dimension == 2)
+            x[2] = space->plane;
+        if (region_contains(region, space, x, margin))
+            return true;
+    }
+    return false;
+}

@@ -1,0 +1,47 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
+/* Inside of a simulation of the library. Read scree.h first. */
+#ifndef SCREE_LIBRARY_SCREE_PARTS_H
+#define SCREE_LIBRARY_SCREE_PARTS_H
+
+#include "engine/run.h"
+#include "engine/run_stages.h"
+#include "engine/state.h"
+#include "base/file.h"
+#include "data/observe/observables.h"
+#include "scree.h"
+
+struct scree_simulation {
+    struct comm comm;
+    struct scene *scene;
+    struct simulation *state;
+    struct error error; /* of the engine: no steps after it */
+    void (*force)(void *context, struct scree_simulation *simulation);
+    void *force_context;
+    void (*log)(void *context, const char *line);
+    void *log_context;
+    struct output_run run;
+    struct observables *observables;
+    int columns;  /* of the observables; all stages have the same */
+    bool changed; /* the next step rebuilds */
+    bool busy;    /* a function of the library is at work, and may call those of the caller */
+    double *row;  /* recorded rows, one after another */
+    size_t rows, room;
+    struct run_stages stages;
+    struct scene *before;       /* of the stage that ends, while the next one begins */
+    double *kept;               /* observables at the end of a stage, until the next step; NULL: none */
+    char folder[FILE_PATH_MAX]; /* of the checkpoints between stages; "": they are deleted */
+};
+
+/* True if there is a simulation, and the call does not come from a function that the simulation itself has called; else false
+ * with an error (user). */
+bool scree_parts_free(const struct scree_simulation *simulation, struct error *error);
+
+/* Copies an error to the caller's, if there is one. True if there is no error. */
+bool scree_parts_tell(const struct error *own, struct scree_error *error);
+
+/* Starts a part of the work on the simulation's threads, which is then busy; returns the caller's number of threads, which
+ * scree_parts_leave sets back. `simulation` NULL: it is gone. */
+int scree_parts_enter(struct scree_simulation *simulation);
+void scree_parts_leave(struct scree_simulation *simulation, int threads);
+
+#endif

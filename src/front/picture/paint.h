@@ -1,0 +1,42 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
+/* Colours, and the text of a picture in the language of POV-Ray. */
+#ifndef SCREE_PICTURE_PAINT_H
+#define SCREE_PICTURE_PAINT_H
+
+#include "data/formats/rows.h"
+#include "front/picture/camera.h"
+#include "front/picture/shapes.h"
+#include <stdio.h>
+
+enum { PAINT_BANDS_MAX = 128, PAINT_GREY = -1, PAINT_WORD_MAX = 64 };
+
+/* What each value is painted with. */
+struct paint {
+    double low, high; /* values of the first and the last colour */
+    int bands;
+    double band[PAINT_BANDS_MAX][3]; /* red, green, blue, 0 ... 255 */
+    char label[2 * PAINT_WORD_MAX];
+    int names; /* materials by name; 0: the legend has numbers */
+    char name[PAINT_BANDS_MAX][PAINT_WORD_MAX];
+};
+
+/* Fills the bands from a palette; unknown names are a user's error that lists the palettes. NULL: "scree". */
+bool paint_bands(struct paint *paint, const char *palette, int bands, struct error *error);
+
+/* What a picture shows. */
+struct paint_scene {
+    const struct camera *camera;
+    const struct paint *paint;
+    const struct rows *rows;
+    const int *band;             /* of each row; PAINT_GREY, or PAINT_GREY - 1: not drawn */
+    const struct shapes *shapes; /* NULL: none */
+    bool soft;                   /* shadows with soft edges, which take four times as long */
+};
+
+/* The band of a value; PAINT_GREY for NAN. */
+int paint_band(const struct paint *paint, double value);
+
+/* Writes the picture. */
+void paint_write(FILE *out, const struct paint_scene *scene);
+
+#endif

@@ -1,0 +1,73 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
+/* The short way of history.h over a rebuild: records of two particles that both stay on this rank stay where
+ * they are and are found again by local numbers. The others (pairs with copies, particles that change ranks)
+ * go as loose rows, keyed by ids; each row gets local numbers, too, when the new copies are known. Needs that no two particles can meet through several images. */
+#ifndef SCREE_PAIRS_HISTORY_KEEP_H
+#define SCREE_PAIRS_HISTORY_KEEP_H
+
+#include "kernel/pairs/history_follow.h"
+
+/* A record's partner and place. */
+struct history_kept_entry {
+    uint32_t partner; /* the higher of the two numbers */
+    uint32_t record;  /* counted over the threads, one after another; HISTORY_KEPT_TURNED added if it is
+                         oriented from the higher number to the lower */
+};
+
+#define HISTORY_KEPT_TURNED (UINT32_C(1) << 31)
+
+/* The pair of a record, from which to which it is oriented; PARTICLE_LEFT: not a particle of this rank. */
+struct history_link {
+    uint32_t i, j; /* HISTORY_LINK_COPY is added to j if another thread holds the record, too */
+};
+
+#define HISTORY_LINK_COPY (UINT32_C(1) << 31)
+
+/* Entries by the lower of the two new numbers: start[k] ... start[k + 1] - 1. Values stay in the history, and
+ * in the loose rows. */
+struct history_kept {
+    uint32_t *start; /* owned + 1 entries, and one of scratch; NULL while there are links */
+    struct history_kept_entry *entry;
+    size_t owned;
+    size_t first[PAIR_THREADS_MAX + 1]; /* number of each thread's first record; then of the first match */
+    const struct history_row *row;      /* the loose rows; borrowed */
+    struct history_match *match;        /* record first[threads] + m is row[match[m].row] */
+    uint64_t owners;                    /* pairlist_owners of the list before */
+    struct history_link
+        *link; /* of each record, where all particles keep their numbers and there are no loose rows;
+                                  entries are made only if the new list has the pairs in another order */
+};
+
+/* The numbers of particles before and after a rebuild. */
+struct history_numbers {
+    const uint32_t
+        *order;   /* of the reorder: new particle k was number order[k] after the migration; NULL: k */
+    size_t owned; /* now */
+    const uint32_t *place; /* number after the migration of each particle of the list; PARTICLE_LEFT: none.
+                              NULL: no particle came or left */
+    size_t before;         /* owned particles of the list, entries of place */
+};
+
+/* Notes the records of the list (which still has the numbers from before) by the new numbers, between the
+ * reorder and the search, and the loose rows of `followers` (NULL: there are none); these are borrowed until
+ * history_restore. Allocates; history_kept_free releases. Opens its own thread team. */
+void history_keep(const struct history *history, const struct pairlist *list,
+                  const struct history_numbers *numbers, const struct history_followers *followers,
+                  struct history_kept *kept);
+
+/* Copies of particles of this rank itself. A pair of the new list may have such a copy in place of the
+ * original that it had before. The copies are the particles first ... first + count - 1, behind owned
+ * particles and other copies; `original` has the number of the original of each. */
+struct history_twins {
+    size_t first, count;
+    const uint32_t *original;
+};
+
+/* Hands the records and the loose rows to the pairs of the new list: where they are if `kept` has links and the list has the pairs in the same
+ * order, else by entries, which are then made in `kept`, to the other buffer of the history. Opens its own thread team. */
+void history_restore(struct history *history, struct history_kept *kept, const struct history_twins *twins,
+                     const struct pairlist *list);
+
+void history_kept_free(struct history_kept *kept);
+
+#endif

@@ -1,0 +1,209 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
+/* Bodies as a physics: checks of the section, the pass of the step, the hooks of the engine. Read bodies.h first. */
+#include "physics/bodies/bodies.h"
+#include "physics/bodies/bodies_fields.h"
+#include "physics/grains/grains.h"
+#include "physics/bodies/bodies_links.h"
+#include "physics/bodies/bodies_motion.h"
+#include "physics/bodies/place.h"
+#include "base/memory.h"
+#include "kernel/particles/kinds.h"
+#include <math.h>
+#include <stdio.h>
+
+static bool check_entry(const struct physics_context *context, int number, struct error *error) {
+    const struct bodies_options *all = context->options;
+    const struct clump_options *options = &all->clump[number];
+    const struct scene *scene = context->scene;
+    const double *q = options->quaternion, *w = options->angular_velocity;
+    const bool flat = context->box->dimension == 2;
+    char key[64];
+    snprintf(key, sizeof key, "bodies.clumps[%d]", number);
+    if (options->material < 0 && scene->materials > 1)
+        return scene_fail(scene, error, key, "needs material: which grains become these bodies");
+    if (!(options->radius_upto > options->radius_above))
+        return scene_fail(scene, error, key, "radius_upto (%g) is not above radius_above (%g)",
+                          options->radius_upto, options->radius_above);
+    if (options->orientation == CLUMP_GIVEN &&
+        (options->quaternion_given != 4 || !(q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3] > 0)))
+        return scene_fail(scene, error, key,
+                          "orientation: given needs quaternion: four numbers w x y z, not all 0");
+    if (flat && ((options->orientation == CLUMP_GIVEN && (q[1] != 0 || q[2] != 0)) || w[0] != 0 || w[1] != 0))
+        return scene_fail(scene, error, key,
+                          "turns out of the plane of a two-dimensional scene; allowed is z alone");
+    struct clump clump;
+    bool good = clump_make(&clump, scene, number, options, error);
+    clump_free(&clump);
+    return good;
+}
+
+/* What would part a body from its members. */
+static bool check_sources(const struct physics_context *context, struct error *error) {
+    const struct scene *scene = context->scene;
+    char key[64];
+    for (int k = 0; k < scene->insertions; k++) {
+        const struct insertion_options *insertion = &scene->insertion[k];
+        double smallest, largest;
+        sizes_bounds(&insertion->sizes, &smallest, &largest);
+        snprintf(key, sizeof key, "insertions[%d]", k);
+        if (place_clump(context->options, insertion->material, smallest) >= 0 ||
+            place_clump(context->options, insertion->material, largest) >= 0)
+            return scene_fail(
+                scene, error, key,
+                "inserts grains that would be bodies; bodies are made at the start alone (not built yet)");
+    }
+    if (scene->deletions > 0)
+        return scene_fail(scene, error, "deletions", "would part bodies from their members: not with bodies");
+    for (int d = 0; d < context->box->dimension; d++)
+        for (int side = 0; side < 2; side++)
+            if (!context->box->periodic[d] && context->box->leave[d][side] == BOX_DELETE)
+                return scene_fail(scene, error, "box.leave",
+                                  "delete would part bodies from their members; with bodies: keep or error");
+    if (scene->physics_given[PHYSICS_bonds])
+        return scene_fail(scene, error, "bodies", "together with bonds: not built yet");
+    if (scene->physics_given[PHYSICS_fluid])
+        return scene_fail(scene, error, "bodies", "together with a fluid: not built yet");
+    return true;
+}
+
+static bool check(const struct physics_context *context, struct error *error) {
+    const struct bodies_options *options = context->options;
+    for (int k = 0; k < options->clumps; k++)
+        if (!check_entry(context, k, error))
+            return false;
+    return check_sources(context, error);
+}
+
+static void *create(const struct physics_context *context) {
+    struct bodies *bodies = memory_allocate_zero(1, sizeof *bodies, "bodies");
+    const struct bodies_options *options = bodies->options = context->options;
+    struct error none = {0};
+    bodies->clump = memory_allocate_zero((size_t)options->clumps, sizeof *bodies->clump, "clumps");
+    for (int k = 0; k < options->clumps; k++)
+        if (!clump_make(&bodies->clump[k], context->scene, k, &options->clump[k], &none))
+            error_fatal("%s", none.text); /* a file that has changed since the check */
+    grains_motion(context)->carried = &bodies->carried;
+    return bodies;
+}
+
+static void destroy(void *self) {
+    struct bodies *bodies = self;
+    for (int k = 0; k < bodies->options->clumps; k++)
+        clump_free(&bodies->clump[k]);
+    bodies_links_free(&bodies->links);
+    memory_free(bodies->clump);
+    memory_free(bodies);
+}
+
+static bool fill(const struct physics_context *context, const struct physics_share *share,
+                 struct error *error) {
+    return place_all(context->self, context, share, error);
+}
+
+static void rebuilt(const struct physics_context *context) {
+    bodies_links_make(context->self, context);
+}
+
+static void step(const struct physics_context *context) {
+    bodies_motion_step(context->self, context);
+}
+
+static void full_step(const struct physics_context *context) {
+    bodies_motion_full_step(context->self, context);
+}
+
+static void restart(const struct physics_context *context, struct restart *list) {
+    struct bodies *bodies = context->self;
+    restart_add(list, RESTART_REAL, false, &bodies->before, "bodies: length of the last step");
+}
+
+/* Prints of how many bodies a shape is, and from where to where their radius, mass and inertia reach. Collective. */
+static void print_made(const struct physics_context *context, int number, FILE *file) {
+    enum { RADIUS, MASS, INERTIA, ALL = INERTIA + 3 };
+    const struct bodies *bodies = context->self;
+    const struct particles *p = context->particles;
+    double least[ALL], most[ALL];
+    int64_t count = 0;
+    for (int k = 0; k < ALL; k++)
+        least[k] = -(most[k] = -INFINITY);
+    for (size_t i = 0; i < p->owned; i++) {
+        if (kinds_of(p)[i] != KIND_BODY || bodies_part(p)[i] != number)
+            continue;
+        const struct clump *clump = &bodies->clump[number];
+        double mass = bodies_mass(p)[i], scale = p->state[i].radius / clump->extent;
+        double value[ALL] = {[RADIUS] = p->state[i].radius, [MASS] = mass};
+        for (int d = 0; d < 3; d++)
+            value[INERTIA + d] = mass * clump->gyration[d] * scale * scale;
+        for (int k = 0; k < ALL; k++) {
+            least[k] = fmin(least[k], value[k]);
+            most[k] = fmax(most[k], value[k]);
+        }
+        count++;
+    }
+    comm_sum_int(context->comm, &count, 1);
+    comm_min(context->comm, least, ALL);
+    comm_max(context->comm, most, ALL);
+    if (context->comm->rank != 0 || count == 0)
+        return;
+    const bool alike = least[RADIUS] == most[RADIUS] && least[MASS] == most[MASS];
+    for (int end = 0; end < (alike ? 1 : 2); end++) {
+        const double *of = end ? most : least;
+        fprintf(file, "  %s: radius %.6g, mass %.6g, principal moments of inertia %.6g %.6g %.6g\n",
+                alike ? "each"
+                : end ? "largest"
+                      : "smallest",
+                of[RADIUS], of[MASS], of[INERTIA], of[INERTIA + 1], of[INERTIA + 2]);
+    }
+}
+
+static void print_shape(const struct physics_context *context, int k, FILE *file) {
+    const struct bodies *bodies = context->self;
+    const struct clump *clump = &bodies->clump[k];
+    if (context->comm->rank == 0) {
+        char how[96] = "none overlap";
+        if (clump->overlap)
+            snprintf(how, sizeof how, "some overlap (volume and inertia by quadrature)");
+        if (clump->filled > 0)
+            snprintf(how, sizeof how, "which fill %.3g of a mesh (volume and inertia of the mesh)",
+                     clump->filled);
+        fprintf(file,
+                "bodies '%s': %d spheres, %s; as drawn: radius of the ball %.6g about %.6g %.6g %.6g, volume "
+                "%.6g, moments of inertia over mass %.6g %.6g %.6g\n",
+                bodies->options->clump[k].name, clump->spheres, how, clump->extent, clump->centre[0],
+                clump->centre[1], clump->centre[2], clump->volume, clump->gyration[0], clump->gyration[1],
+                clump->gyration[2]);
+    }
+    print_made(context, k, file);
+}
+
+static void print(const struct physics_context *context, FILE *file) {
+    const struct bodies *bodies = context->self;
+    for (int k = 0; k < bodies->options->clumps; k++)
+        print_shape(context, k, file);
+    if (context->comm->rank == 0)
+        fprintf(file,
+                "  the stable time step takes each member with its share of the mass, and so is below that "
+                "of the body\n");
+}
+
+static const struct physics_pass passes[] = {{.name = "bodies",
+                                              .does = "forces on bodies, and their motion",
+                                              .stage = PASS_FIRST,
+                                              .reads = "force torque",
+                                              .writes = "position orientation",
+                                              .whole = step}};
+
+static const struct physics_maker maker = {.fill = fill};
+static const struct physics_shown shown = {.full_step = full_step};
+
+const struct physics bodies_physics = {.name = "bodies",
+                                       .passes = sizeof passes / sizeof passes[0],
+                                       .pass = passes,
+                                       .check = check,
+                                       .create = create,
+                                       .destroy = destroy,
+                                       .rebuilt = rebuilt,
+                                       .print = print,
+                                       .restart = restart,
+                                       .maker = &maker,
+                                       .shown = &shown};

@@ -1,0 +1,63 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
+/* Clumps: the shapes of rigid bodies, as lists of spheres, with mass, centre of mass and moments of inertia. */
+#ifndef SCREE_BODIES_CLUMP_H
+#define SCREE_BODIES_CLUMP_H
+
+#include "physics/bodies/moments.h"
+#include "data/scene/scene.h"
+
+enum { CLUMPS_MAX = 32, CLUMP_SPHERES_MAX = 32, CLUMP_PATH_MAX = 256 };
+
+enum clump_orientation { CLUMP_RANDOM, CLUMP_GIVEN };
+enum clump_size { CLUMP_BY_GRAIN, CLUMP_AS_DRAWN };
+
+/* An entry of `bodies.clumps`. */
+struct clump_options {
+    char name[SCENE_NAME_MAX];
+    int material;                     /* grains of this material become such bodies; -1: the only one */
+    double radius_above, radius_upto; /* of grains that become such bodies */
+    int spheres;
+    struct clump_sphere sphere[CLUMP_SPHERES_MAX];
+    char file[CLUMP_PATH_MAX]; /* "": spheres are given; else rows of x y z radius */
+    char mesh[CLUMP_PATH_MAX]; /* "": no mesh; else a closed surface, filled with spheres (inscribe.h) */
+    int mesh_spheres;          /* at most */
+    double scale;              /* lengths of the file or mesh x this */
+    enum clump_size size;
+    double mass; /* NAN: from the density of the grains' material */
+    int centre_given;
+    double centre[3]; /* of mass; NAN: by the spheres */
+    int inertia_given;
+    double inertia[6]; /* xx yy zz xy xz yz about the centre of mass; none given: by the spheres */
+    enum clump_orientation orientation;
+    int quaternion_given;
+    double quaternion[4];       /* w x y z */
+    double angular_velocity[3]; /* added to that of the grain, rad/time */
+};
+
+/* A shape in the frame of its principal axes, the centre of mass at the origin. Lengths are those of the scene's
+ * entry; a body is scaled. */
+struct clump {
+    int spheres;
+    struct clump_sphere *sphere;
+    double *share;      /* of each sphere: its part of the mass; all together 1 */
+    double volume;      /* of the union of the spheres; of the mesh that they fill */
+    double filled;      /* of a mesh: part of the volume that the spheres fill; else 0 */
+    double mass;        /* NAN: volume x density */
+    double extent;      /* radius of the ball about the centre of mass that holds all spheres */
+    double centre[3];   /* of mass, in the frame of the entry */
+    double gyration[3]; /* moments of inertia over mass, from small to large */
+    double rest
+        [9]; /* inertia over mass that the spheres' shares do not account for, row by row; 0 where none overlap */
+    double axes[4]; /* turns this frame to that of the entry */
+    bool overlap;
+};
+
+/* Makes a shape. Reads its file. False, with a user's error, where it cannot be one. clump_free releases it. */
+bool clump_make(struct clump *clump, const struct scene *scene, int number,
+                const struct clump_options *options, struct error *error);
+void clump_free(struct clump *clump);
+
+/* Mass of a body of which all lengths are `scale` x those of the shape. */
+double clump_mass(const struct clump *clump, double scale, double density);
+
+#endif

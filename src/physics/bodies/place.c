@@ -1,0 +1,177 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
+/* From grains to bodies: the grain becomes the particle of the body, and its members are appended. The first rebuild
+ * brings members to the ranks that own their places. Read place.h first. */
+#include "physics/bodies/place.h"
+#include "physics/grains/grains.h"
+#include "physics/bodies/bodies_fields.h"
+#include "physics/bodies/rotor.h"
+#include "kernel/particles/material.h"
+#include "kernel/particles/spin.h"
+#include "base/random.h"
+#include "kernel/particles/groups.h"
+#include "kernel/particles/fields.h"
+#include "kernel/particles/kinds.h"
+#include <inttypes.h>
+#include <math.h>
+#include <string.h>
+
+int place_clump(const struct bodies_options *options, int material, double radius) {
+    for (int k = 0; k < options->clumps; k++) {
+        const struct clump_options *clump = &options->clump[k];
+        if ((clump->material < 0 || clump->material == material) && radius > clump->radius_above &&
+            radius <= clump->radius_upto)
+            return k;
+    }
+    return -1;
+}
+
+/* Uniform over all rotations (Shoemake, Graphics Gems III (1992) 124); in two dimensions over the circle. */
+static void orientation_draw(const struct scene *scene, int64_t id, double q[4]) {
+    struct random_sequence random = random_sequence(scene->seed, RANDOM_ORIENTATION, (uint64_t)id);
+    double a = random_uniform(&random), b = 2 * M_PI * random_uniform(&random),
+           c = 2 * M_PI * random_uniform(&random);
+    q[0] = sqrt(1 - a) * sin(b);
+    q[1] = sqrt(1 - a) * cos(b);
+    q[2] = sqrt(a) * sin(c);
+    q[3] = sqrt(a) * cos(c);
+    if (scene->box.dimension == 2) {
+        q[0] = cos(0.5 * b);
+        q[1] = q[2] = 0;
+        q[3] = sin(0.5 * b);
+    }
+}
+
+static void orientation_choose(const struct physics_context *context, const struct clump_options *options,
+                               const struct clump *clump, int64_t id, double q[4]) {
+    double norm = 0;
+    if (options->orientation == CLUMP_RANDOM)
+        orientation_draw(context->scene, id, q);
+    else
+        memcpy(q, options->quaternion, 4 * sizeof *q);
+    rotor_product(q, clump->axes, q);
+    for (int k = 0; k < 4; k++)
+        norm += q[k] * q[k];
+    for (int k = 0; k < 4; k++)
+        q[k] /= sqrt(norm);
+}
+
+/* Turns grain i into the particle of a body. */
+static void body_make(struct bodies *bodies, const struct physics_context *context, size_t i, int number) {
+    const struct clump *clump = &bodies->clump[number];
+    struct particles *p = context->particles;
+    struct particle_state *state = &p->state[i];
+    const uint8_t *group = groups_of(p);
+    const struct integrator_motion *motion = group ? &grains_motion(context)->motion[group[i]] : NULL;
+    double *omega = spin_of(p)[i], *spin = bodies_spin(p)[i], *q = bodies_orientation(p)[i], turn[9];
+    double density = groups_mass(p, i) / particles_sphere_mass(state->radius, 1);
+    if (bodies->options->clump[number].size == CLUMP_AS_DRAWN)
+        state->radius = clump->extent;
+    double scale = state->radius / clump->extent;
+    bodies_mass(p)[i] = clump_mass(clump, scale, density);
+    bodies_part(p)[i] = number;
+    orientation_choose(context, &bodies->options->clump[number], clump, p->id[i], q);
+    if (motion && motion->prescribed) {
+        memcpy(state->v, motion->velocity, sizeof state->v);
+        memcpy(omega, motion->omega, sizeof motion->omega);
+    } else {
+        for (int d = 0; d < 3; d++)
+            omega[d] += bodies->options->clump[number].angular_velocity[d];
+    }
+    memcpy(bodies_velocity(p)[i], state->v, sizeof state->v);
+    rotor_matrix(q, turn);
+    rotor_turn_back(turn, omega, spin);
+    for (int d = 0; d < 3; d++)
+        spin[d] *= bodies_mass(p)[i] * clump->gyration[d] * scale * scale;
+    rotor_turn(turn, spin, spin);
+}
+
+/* Wraps a place that may lie across periodic sides, and counts the crossings. */
+static void wrap(const struct box *box, double x[3], int32_t *image) {
+    for (int d = 0; d < 3; d++) {
+        if (!box->periodic[d])
+            continue;
+        double turns = floor(x[d] / box->edge[d]);
+        x[d] -= turns * box->edge[d];
+        if (image)
+            image[d] += (int32_t)turns;
+    }
+}
+
+/* Appends member `number` of the body that is particle i. */
+static void member_append(const struct bodies *bodies, const struct physics_context *context, size_t i,
+                          int number, int64_t id) {
+    struct particles *p = context->particles;
+    size_t m = particles_append(p);
+    const struct clump *clump = &bodies->clump[bodies_part(p)[i]];
+    const struct particle_state *body = &p->state[i];
+    struct particle_state *state = &p->state[m];
+    double scale = body->radius / clump->extent, mass = clump->share[number] * bodies_mass(p)[i], turn[9],
+           r[3];
+    int32_t(*image)[3] = particles_images(p);
+    uint8_t *material = material_numbers(p), *group = groups_of(p);
+    double *density = groups_densities(p), (*omega)[4] = spin_of(p),
+           *temperature = fields_numbers(p, "temperature");
+    rotor_matrix(bodies_orientation(p)[i], turn);
+    rotor_turn(turn, clump->sphere[number].centre, r);
+    for (int d = 0; d < 3; d++) {
+        int e = (d + 1) % 3, f = (d + 2) % 3;
+        bool still = d == 2 && context->box->dimension == 2;
+        state->x[d] = body->x[d] + (still ? 0 : scale * r[d]);
+        state->v[d] = body->v[d] + (still ? 0 : scale * (omega[i][e] * r[f] - omega[i][f] * r[e]));
+    }
+    state->radius = scale * clump->sphere[number].radius;
+    state->inverse_mass = body->inverse_mass > 0 ? 1 / mass : 0;
+    memcpy(omega[m], omega[i], sizeof omega[m]);
+    if (image)
+        memcpy(image[m], image[i], sizeof image[m]);
+    wrap(context->box, state->x, image ? image[m] : NULL);
+    if (material)
+        material[m] = material[i];
+    if (group)
+        group[m] = group[i];
+    if (density)
+        density[m] = mass / particles_sphere_mass(state->radius, 1);
+    if (temperature)
+        temperature[m] = temperature[i];
+    p->id[m] = id;
+    carried_by(p)[m] = p->id[i];
+    bodies_part(p)[m] = number;
+}
+
+/* Members that a body may have: ids of members follow those of all grains, as many for each grain. */
+static int64_t members_most(const struct bodies *bodies) {
+    int most = 1;
+    for (int k = 0; k < bodies->options->clumps; k++)
+        most = bodies->clump[k].spheres > most ? bodies->clump[k].spheres : most;
+    return most;
+}
+
+bool place_all(struct bodies *bodies, const struct physics_context *context,
+               const struct physics_share *share, struct error *error) {
+    struct particles *p = context->particles;
+    const int64_t most = members_most(bodies), room = (INT64_C(1) << 62) - share->first_id;
+    const size_t grains = p->owned;
+    size_t members = 0;
+    for (size_t i = 0; i < grains; i++) {
+        int number = place_clump(bodies->options, material_of(material_numbers(p), i), p->state[i].radius);
+        if (kinds_of(p)[i] == KIND_GRAIN && number >= 0)
+            members += (size_t)bodies->clump[number].spheres;
+    }
+    particles_reserve(p, grains + members);
+    for (size_t i = 0; i < grains; i++) {
+        int number = place_clump(bodies->options, material_of(material_numbers(p), i), p->state[i].radius);
+        if (kinds_of(p)[i] != KIND_GRAIN || number < 0)
+            continue;
+        if (p->id[i] >= room / most)
+            return error_set(error, ERROR_USER,
+                             "bodies: particle %" PRId64 " becomes a body of up to %" PRId64
+                             " spheres, whose ids would be above 2^62; give particles smaller ids",
+                             p->id[i], most);
+        body_make(bodies, context, i, number);
+        for (int k = 0; k < bodies->clump[number].spheres; k++)
+            member_append(bodies, context, i, k, share->first_id + p->id[i] * most + k);
+        kinds_of(p)[i] = KIND_BODY;
+        p->state[i].inverse_mass = 0;
+    }
+    return true;
+}

@@ -1,0 +1,256 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
+/* The physics phase of the force loop: the law over a batch, once for each combination of law and flags.
+ * Included by force_block.c alone, which is compiled for several instruction sets. */
+#ifndef SCREE_BATCH_FORCE_PHYSICS_H
+#define SCREE_BATCH_FORCE_PHYSICS_H
+
+#include "physics/grains/batch/force_kernel.h"
+#include "kernel/pairs/walk_four.h"
+
+/* x / y, or 0 where y is 0. */
+LAW_INLINE double force_ratio(double x, double y) {
+    return y > 0.0 ? x / y : 0.0;
+}
+
+LAW_INLINE struct law_vector force_vector(double a[3][FORCE_BATCH], int k) {
+    return (struct law_vector){a[0][k], a[1][k], a[2][k]};
+}
+
+LAW_INLINE void force_set(double a[3][FORCE_BATCH], int k, struct law_vector v) {
+    a[0][k] = v.x;
+    a[1][k] = v.y;
+    a[2][k] = v.z;
+}
+
+/* Turns the halves [from, from + 4) of four contacts' records into columns: the entries k ... k + 3 of x, y, z and w. */
+LAW_INLINE void force_columns(const double (*record)[8], int from, double column[3][FORCE_BATCH],
+                              double *restrict fourth, int k) {
+    walk_four out[WALK_QUAD];
+    walk_turn(out, *(const walk_four *)(record[k] + from), *(const walk_four *)(record[k + 1] + from),
+              *(const walk_four *)(record[k + 2] + from), *(const walk_four *)(record[k + 3] + from));
+    for (int c = 0; c < 3; c++)
+        *(walk_four *)&column[c][k] = out[c];
+    if (fourth)
+        *(walk_four *)&fourth[k] = out[3];
+}
+
+/* Loop before the first: records become columns, so that the first loop reads side by side what it computes side by
+ * side. `normal` holds x_j - x_i until then, `overlap` r_i + r_j, and `mass` 1/m_i + 1/m_j. */
+LAW_INLINE void force_unpack(struct law_case law, struct force_batch *restrict b) {
+    for (int k = 0; k < b->walk.padded; k += WALK_QUAD) {
+        force_columns(b->walk.record, 0, b->normal, b->overlap, k);
+        force_columns(b->walk.record, 4, b->velocity, b->mass, k);
+        if (law.friction) {
+            force_columns(b->walk.gathered[0], 0, b->omega[0], NULL, k);
+            force_columns(b->walk.gathered[0], 4, b->omega[1], NULL, k);
+        }
+    }
+}
+
+/* First loop: computes the law's input for contact k from the columns. */
+LAW_INLINE void force_measure(struct law_case law, struct force_batch *b, int k, struct law_step step) {
+    double ri = b->walk.radius[0][k], rj = b->walk.radius[1][k], reach = b->overlap[k];
+    struct law_vector d = force_vector(b->normal, k), v = force_vector(b->velocity, k);
+    double distance = sqrt(law_dot(d, d)), overlap = reach - distance;
+    b->overlap[k] = overlap;
+    b->mass[k] = force_ratio(1.0, b->mass[k]);
+    force_set(b->normal, k, law_scale(force_ratio(1.0, distance), d));
+    if (law.radius)
+        b->effective[k] = ri * rj / reach;
+    if (!law.friction)
+        return;
+    struct law_vector wi = force_vector(b->omega[0], k), wj = force_vector(b->omega[1], k);
+    double lever_i = law_lever(law, ri, overlap), lever_j = law_lever(law, rj, overlap);
+    b->walk.lever[0][k] = lever_i;
+    b->walk.lever[1][k] = lever_j;
+    if (law.synchronised) {
+        struct law_vector half = law_add(d, -0.5 * step.dt, v);
+        double apart = sqrt(law_dot(half, half));
+        force_set(b->half_normal, k, law_scale(force_ratio(1.0, apart), half));
+        lever_i = law_lever(law, ri, reach - apart);
+        lever_j = law_lever(law, rj, reach - apart);
+    }
+    force_set(b->surface, k, law_add(law_scale(lever_i, wi), lever_j, wj));
+    if (law.rolling)
+        force_set(b->spin, k, law_add(wj, -1.0, wi));
+}
+
+/* Second loop: the law. */
+LAW_INLINE void force_respond(struct law_case law, struct force_batch *b, int k, struct law_step step) {
+    struct law_contact in = {.overlap = b->overlap[k],
+                             .mass = b->mass[k],
+                             .normal = force_vector(b->normal, k),
+                             .velocity = force_vector(b->velocity, k),
+                             .coefficients = {b->coefficient[0][k], b->coefficient[1][k],
+                                              b->coefficient[2][k], b->coefficient[3][k],
+                                              b->coefficient[4][k], b->coefficient[5][k]},
+                             .radius = b->effective[k]};
+    if (law.given)
+        in.springs = (struct law_springs){.force = b->springs[0][k],
+                                          .stiffness = b->springs[1][k],
+                                          .tangential = b->springs[2][k],
+                                          .contact = b->springs[3][k],
+                                          .energy = b->springs[4][k]};
+    if (law.friction) {
+        in.surface = force_vector(b->surface, k);
+        in.spring = force_vector(b->walk.history, k);
+    }
+    if (law.synchronised)
+        in.half_normal = force_vector(b->half_normal, k);
+    if (law.rolling) {
+        in.spin = force_vector(b->spin, k);
+        in.roll = force_vector(b->walk.history + 3, k);
+    }
+    struct law_response out = law_respond(law, step, &in);
+    force_set(b->walk.out + FORCE_OUT, k, out.force);
+    if (law.energies) {
+        b->energy[0][k] = out.normal_energy;
+        b->energy[1][k] = out.spring_energy;
+        b->energy[2][k] = out.taken;
+    }
+    if (!law.friction)
+        return;
+    force_set(b->walk.out + FORCE_MOMENT, k, out.moment);
+    force_set(b->walk.history, k, out.spring);
+    if (!law.rolling)
+        return;
+    force_set(b->walk.out + FORCE_ROLLING, k, out.rolling);
+    force_set(b->walk.history + 3, k, out.roll);
+}
+
+LAW_INLINE struct law_vector force_select(bool chosen, struct law_vector v) {
+    return (struct law_vector){chosen ? v.x : 0.0, chosen ? v.y : 0.0, chosen ? v.z : 0.0};
+}
+
+/* Sliding and rolling of a law with parts, whose normal direction is in `springs`. */
+LAW_INLINE void force_rub(struct law_case law, struct force_batch *b, int k, struct law_step step) {
+    struct law_contact in = {.normal = force_vector(b->normal, k),
+                             .velocity = force_vector(b->velocity, k),
+                             .coefficients = {b->coefficient[0][k], b->coefficient[1][k],
+                                              b->coefficient[2][k], b->coefficient[3][k],
+                                              b->coefficient[4][k], b->coefficient[5][k]},
+                             .radius = b->effective[k]};
+    struct law_vector push = law_scale(b->springs[0][k], in.normal);
+    bool touches = b->springs[4][k] > 0.0;
+    struct law_response out = {0};
+    if (!law.friction) {
+        force_set(b->walk.out + FORCE_OUT, k, push);
+        return;
+    }
+    in.surface = force_vector(b->surface, k);
+    in.spring = force_vector(b->walk.history, k);
+    if (law.synchronised)
+        in.half_normal = force_vector(b->half_normal, k);
+    if (law.rolling) {
+        in.spin = force_vector(b->spin, k);
+        in.roll = force_vector(b->walk.history + 3, k);
+    }
+    law_rub(law, step, &in, b->springs[3][k], b->springs[2][k], b->springs[1][k], &out);
+    force_set(b->walk.out + FORCE_OUT, k, law_add(push, 1.0, force_select(touches, out.force)));
+    force_set(b->walk.out + FORCE_MOMENT, k, force_select(touches, out.moment));
+    force_set(b->walk.history, k, force_select(touches, out.spring));
+    if (!law.rolling)
+        return;
+    force_set(b->walk.out + FORCE_ROLLING, k, force_select(touches, out.rolling));
+    force_set(b->walk.history + 3, k, force_select(touches, out.roll));
+}
+
+/* Two loops instead of one: in a single, long loop a processor could not begin a contact before all roots and
+ * divisions of the previous contact are done. The bodies of the loops are functions, as variables inside an
+ * `omp simd` loop would become arrays. */
+LAW_INLINE void force_measure_all(struct law_case law, struct force_batch *restrict b, struct law_step step) {
+    int count = b->walk.padded;
+    force_unpack(law, b);
+#pragma omp simd
+    for (int k = 0; k < count; k++)
+        force_measure(law, b, k, step);
+}
+
+LAW_INLINE void force_rub_all(struct law_case law, struct force_batch *restrict b, struct law_step step) {
+    int count = b->walk.padded;
+#pragma omp simd
+    for (int k = 0; k < count; k++)
+        force_rub(law, b, k, step);
+}
+
+LAW_INLINE void force_respond_loop(struct law_case law, struct force_batch *restrict b,
+                                   struct law_step step) {
+    int count = b->walk.padded;
+#pragma omp simd
+    for (int k = 0; k < count; k++)
+        force_respond(law, b, k, step);
+}
+
+/* A law that does not bring turned springs back to their length (LAMMPS's) needs no root and division for
+ * this. A constant `rescale` lets the compiler drop both from the loop of that law. */
+LAW_INLINE void force_respond_all(struct law_case law, struct force_batch *restrict b, struct law_step step) {
+    if (law.friction && !law.rolling && step.rescale == 0.0) {
+        step.rescale = 0.0;
+        force_respond_loop(law, b, step);
+    } else {
+        force_respond_loop(law, b, step);
+    }
+}
+
+/* The specialisations: force_measure_table[radius and lever][friction] for the geometry, and
+ * force_respond_table[law][damper][energies][friction] for the laws of the table. */
+#define FORCE_PHYSICS(phase, name, ...)                                                                      \
+    static void name(struct force_batch *b, struct law_step step) {                                          \
+        phase((struct law_case){__VA_ARGS__}, b, step);                                                      \
+    }
+#define FORCE_PHYSICS_FAMILY(phase, name, ...)                                                               \
+    FORCE_PHYSICS(phase, name##_smooth, __VA_ARGS__)                                                         \
+    FORCE_PHYSICS(phase, name##_rough, __VA_ARGS__, .friction = true)                                        \
+    FORCE_PHYSICS(phase, name##_rough_half, __VA_ARGS__, .friction = true, .synchronised = true)             \
+    FORCE_PHYSICS(phase, name##_rolling, __VA_ARGS__, .friction = true, .rolling = true)                     \
+    FORCE_PHYSICS(phase, name##_rolling_half, __VA_ARGS__, .friction = true, .rolling = true,                \
+                  .synchronised = true)
+#define FORCE_PHYSICS_ROW(name)                                                                              \
+    { name##_smooth, name##_rough, name##_rough_half, name##_rolling, name##_rolling_half }
+
+FORCE_PHYSICS_FAMILY(force_measure_all, force_measure_plain, .radius = false)
+FORCE_PHYSICS_FAMILY(force_measure_all, force_measure_radius, .radius = true)
+FORCE_PHYSICS_FAMILY(force_measure_all, force_measure_lever, .lever_radius = true)
+FORCE_PHYSICS_FAMILY(force_measure_all, force_measure_both, .radius = true, .lever_radius = true)
+#define FORCE_LAW_CASES(name, ...)                                                                           \
+    FORCE_PHYSICS_FAMILY(force_respond_all, force_##name, __VA_ARGS__)                                       \
+    FORCE_PHYSICS_FAMILY(force_respond_all, force_##name##_energies, __VA_ARGS__, .energies = true)          \
+    FORCE_PHYSICS_FAMILY(force_respond_all, force_##name##_given, __VA_ARGS__, .coefficient = true)          \
+    FORCE_PHYSICS_FAMILY(force_respond_all, force_##name##_given_energies, __VA_ARGS__, .coefficient = true, \
+                         .energies = true)
+#define FORCE_LAW(NAME, name, traits, summary) FORCE_LAW_CASES(name, .normal = LAW_##NAME)
+#define FORCE_LAW_GIVEN(NAME, name, traits, summary)                                                         \
+    FORCE_LAW_CASES(name, .normal = LAW_##NAME, .given = true)
+LAW_BUILT_TABLE(FORCE_LAW)
+LAW_GIVEN_TABLE(FORCE_LAW_GIVEN)
+
+static force_physics *const force_measure_table[2][2][5] = {
+    {FORCE_PHYSICS_ROW(force_measure_plain), FORCE_PHYSICS_ROW(force_measure_lever)},
+    {FORCE_PHYSICS_ROW(force_measure_radius), FORCE_PHYSICS_ROW(force_measure_both)}};
+#define FORCE_LAW_ROW(NAME, name, traits, summary)                                                           \
+    {{FORCE_PHYSICS_ROW(force_##name), FORCE_PHYSICS_ROW(force_##name##_energies)},                          \
+     {FORCE_PHYSICS_ROW(force_##name##_given), FORCE_PHYSICS_ROW(force_##name##_given_energies)}},
+static force_physics *const force_respond_table[LAW_COUNT][2][2][5] = {LAW_ELASTIC_TABLE(FORCE_LAW_ROW)};
+
+static inline int force_friction_of(struct law_case law) {
+    return !law.friction ? 0 : 1 + 2 * law.rolling + law.synchronised;
+}
+
+static inline force_physics *force_measure_find(const struct law_options *options) {
+    struct law_case law = law_case_of(options, false);
+    return force_measure_table[law.radius][law.lever_radius][force_friction_of(law)];
+}
+
+FORCE_PHYSICS_FAMILY(force_rub_all, force_rub, .radius = true)
+
+static inline force_physics *force_rub_find(const struct law_options *options) {
+    static force_physics *const table[5] = FORCE_PHYSICS_ROW(force_rub);
+    return table[force_friction_of(law_case_of(options, false))];
+}
+
+static inline force_physics *force_respond_find(const struct law_options *options, bool energies) {
+    struct law_case law = law_case_of(options, energies);
+    return force_respond_table[law.normal][law.coefficient][energies][force_friction_of(law)];
+}
+
+#endif

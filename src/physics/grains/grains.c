@@ -1,0 +1,30 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
+/* What other physics ask of grains. Read grains.h first. */
+#include "physics/grains/grains.h"
+
+struct grains *grains_of(const struct physics_set *set) {
+    for (int k = 0; k < set->count; k++)
+        if (set->active[k].row == &grains_physics)
+            return set->active[k].context.self;
+    return NULL;
+}
+
+struct walls *grains_walls(const struct physics_context *context) {
+    return grains_of(context->set)->walls;
+}
+
+struct force_context *grains_contact(const struct physics_context *context) {
+    return &grains_of(context->set)->contact;
+}
+
+struct integrator_context *grains_motion(const struct physics_context *context) {
+    return &grains_of(context->set)->motion;
+}
+
+bool grains_solved(const struct physics_context *context) {
+    return context->scene->law.solved;
+}
+
+bool grains_touch(const struct physics_context *context) {
+    return context->scene->materials > 0;
+}

@@ -1,0 +1,43 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
+/* Grains that rigid bodies carry: their motion is that of their body, whatever the force on them. A physics
+ * that makes bodies (src/physics/bodies) keeps the poses; the integrator reads them. */
+#ifndef SCREE_MOTION_CARRIED_H
+#define SCREE_MOTION_CARRIED_H
+
+#include "kernel/particles/particles.h"
+
+/* Place and motion of a body. */
+struct carried_pose {
+    double x[3];                 /* centre of mass, box-relative, as its owner has it */
+    double v[3], w[3];           /* velocity and angular velocity at the last half step */
+    double turn[9];              /* rotation from the body's frame to space, row by row, at x */
+    double middle[9];            /* mean of the rotations before and after the last step */
+    double full_v[3], full_w[3]; /* at the full step: brought up to date before they are observed */
+    /* The part of the body's spin and energy of rotation that the masses of its members do not account for, at
+     * the full step; 0 for members that do not overlap. On the owner of the body alone. */
+    double rest[3], energy;
+};
+
+/* Poses, and who has which. Borrowed arrays, new at each rebuild. */
+struct carried {
+    const int32_t *pose_of;    /* of each owned particle: number of its pose; -1: it moves by itself */
+    const double (*offset)[3]; /* of each owned particle: place in the body's frame, length */
+    const double (*shift)[3];  /* of each owned particle: added to its place, a multiple of the box's edges */
+    const struct carried_pose *pose;
+};
+
+/* Registers `body`. */
+void carried_register(struct particles *particles);
+
+/* The id of the body that carries each particle, -1: none; NULL without bodies. Borrowed until the set grows. */
+int64_t *carried_by(const struct particles *particles);
+
+/* Moves the carried particle i with its body by one step that ended at the pose. Returns the larger of its
+ * squared speed and the square of its displacement over dt. `omega` NULL: particles have no spin. */
+double carried_move(const struct carried *carried, size_t i, double dt, bool flat,
+                    struct particle_state *state, double *omega);
+
+/* Velocity and angular velocity of the carried particle i at the full step; omega may be NULL. */
+void carried_full_step(const struct carried *carried, size_t i, double velocity[3], double *omega);
+
+#endif

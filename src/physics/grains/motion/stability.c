@@ -1,0 +1,214 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
+/* Collects the stiffness of contacts and finds the largest eigenvalue. Read stability.h first. */
+#include "physics/grains/motion/stability.h"
+#include "kernel/particles/material.h"
+#include "kernel/particles/spin.h"
+#include "base/memory.h"
+#include "physics/grains/motion/timestep.h"
+#include <math.h>
+
+void stability_create(struct stability *s, const struct force_context *context, double step) {
+    size_t count = context->particles->owned + context->particles->ghosts;
+    *s = (struct stability){.step = step,
+                            .count = count,
+                            .sums = spin_values(context->particles) ? STABILITY_SUMS : STABILITY_PUSH};
+    s->sum = memory_allocate_zero(count * (size_t)s->sums, sizeof *s->sum, "stability of contacts");
+    s->local = memory_allocate_zero(count, sizeof *s->local, "stability of contacts");
+}
+
+void stability_free(struct stability *s) {
+    memory_free(s->sum);
+    memory_free(s->local);
+    *s = (struct stability){0};
+}
+
+/* To a multiple of 2^-30: sums of such numbers are exact, in any order, up to 2^22. Next to 1.5 x 2^22 doubles
+ * lie 2^-30 apart. */
+static double rounded(double x) {
+    const double middle = 6291456.0;
+    return x + middle - middle;
+}
+
+/* Springs and dampers at step h. */
+static void stiffen(const struct stability *s, const struct timestep_springs *springs,
+                    struct stability_contact *contact) {
+    double h = s->step;
+    contact->push = h * (h * springs->k_n + 2.0 * springs->c_n);
+    contact->turn = h * (h * springs->k_t + 2.0 * springs->c_t);
+    contact->roll = h * (h * springs->k_r + 2.0 * springs->c_r);
+    contact->twist = h * (h * springs->k_w + 2.0 * springs->c_w);
+}
+
+/* The contact of pair k of the list; false if the pair does not touch or neither particle is free. */
+static bool pair_contact(const struct stability *s, const struct force_context *context, size_t k,
+                         struct stability_contact *contact) {
+    const struct particles *p = context->particles;
+    uint32_t i = context->list->i[k], code = context->list->j[k], j = pair_partner(code);
+    const struct particle_state *a = &p->state[i], *b = &p->state[j];
+    const double *shift = context->list->shift[pair_image(code)];
+    double reach = a->radius + b->radius, far = reach + context->range, square = 0.0;
+    for (int d = 0; d < 3; d++) {
+        contact->normal[d] = b->x[d] - a->x[d] + shift[d];
+        square += contact->normal[d] * contact->normal[d];
+    }
+    double inertia = a->inverse_mass + b->inverse_mass;
+    const uint8_t *number = material_numbers(p);
+    if (!(square < far * far) || !(inertia > 0.0))
+        return false;
+    double distance = sqrt(square);
+    for (int d = 0; d < 3; d++)
+        contact->normal[d] = distance > 0.0 ? contact->normal[d] / distance : 0.0;
+    contact->i = i;
+    contact->j = j;
+    contact->lever = 1.0;
+    contact->radius = a->radius * b->radius / reach;
+    struct timestep_springs springs =
+        timestep_springs(context->law, material_of(number, i), material_of(number, j), 1.0 / inertia,
+                         contact->radius, reach - distance);
+    stiffen(s, &springs, contact);
+    return true;
+}
+
+/* Adds to a sum; `shared`: other threads may do so at the same time. */
+static void add(double *sum, double value, bool shared) {
+    value = rounded(value);
+    if (!shared) {
+        *sum += value;
+        return;
+    }
+#pragma omp atomic
+    *sum += value;
+}
+
+/* Adds (a - b) n n^T + b 1 to a tensor. */
+static void add_tensor(double *sum, double along, double across, const double n[3], bool shared) {
+    static const int row[6] = {0, 1, 2, 0, 0, 1}, column[6] = {0, 1, 2, 1, 2, 2};
+    for (int c = 0; c < 6; c++)
+        add(&sum[c], (along - across) * n[row[c]] * n[column[c]] + (c < 3 ? across : 0.0), shared);
+}
+
+/* Adds the part of a contact to particle i; `sign` turns the normal outwards. */
+static void add_to(const struct stability *s, const struct particles *p, size_t i,
+                   const struct stability_contact *contact, double sign, bool shared) {
+    const double turn = 1.0 / TIMESTEP_INERTIA;
+    double *sum = s->sum + i * (size_t)s->sums, mass = p->state[i].inverse_mass;
+    double share = contact->radius / p->state[i].radius;
+    if (mass == 0.0)
+        return;
+    add_tensor(sum, mass * contact->push, mass * contact->turn, contact->normal, shared);
+    if (s->sums == STABILITY_PUSH)
+        return;
+    double radius = p->state[i].radius, twist = contact->twist / (radius * radius);
+    double slide = contact->turn * contact->lever;
+    add_tensor(sum + 6, mass * turn * twist,
+               mass * turn * (slide * contact->lever + share * share * contact->roll), contact->normal,
+               shared);
+    for (int d = 0; d < 3; d++)
+        add(&sum[12 + d], sign * sqrt(turn) * mass * slide * contact->normal[d], shared);
+}
+
+void stability_add(struct stability *s, const struct particles *particles, size_t i,
+                   const struct stability_contact *contact) {
+    add_to(s, particles, i, contact, 1.0, false);
+}
+
+/* Shares go to one side or both, as forces do. */
+static void add_block(const struct stability *s, const struct force_context *context,
+                      const struct pair_block *block) {
+    struct stability_contact contact;
+    for (size_t k = block->first_pair; k < block->end_pair; k++) {
+        if (!pair_contact(s, context, k, &contact))
+            continue;
+        bool one = k >= block->one_sided && k < block->slotted;
+        /* all threads may add to a particle that has slots, so every addition is atomic then */
+        bool shared = context->list->slot_count > 0;
+        add_to(s, context->particles, contact.i, &contact, 1.0, shared);
+        if (!one)
+            add_to(s, context->particles, contact.j, &contact, -1.0, shared);
+    }
+}
+
+void stability_pairs(struct stability *s, const struct force_context *context) {
+    const struct pairlist *list = context->list;
+#pragma omp parallel for schedule(static, 1)
+    for (int t = 0; t < list->threads; t++)
+        for (int b = list->thread_block[t]; b < list->thread_block[t + 1]; b++)
+            add_block(s, context, &list->blocks[b]);
+}
+
+void stability_walls(struct stability *s, const struct force_context *context,
+                     const struct force_contact *contacts, size_t count, const int *material) {
+    const struct particles *p = context->particles;
+    const uint8_t *number = material_numbers(p);
+    for (size_t k = 0; k < count; k++) {
+        const struct force_contact *c = &contacts[k];
+        const struct particle_state *state = &p->state[c->number_i];
+        struct stability_contact contact = {.i = c->number_i,
+                                            .normal = {c->normal[0], c->normal[1], c->normal[2]},
+                                            .radius = state->radius,
+                                            .lever = 1.0};
+        if (state->inverse_mass == 0.0)
+            continue;
+        struct timestep_springs springs =
+            timestep_springs(context->law, material_of(number, c->number_i), material[-c->id_j - 1],
+                             1.0 / state->inverse_mass, state->radius, c->overlap);
+        stiffen(s, &springs, &contact);
+        add_to(s, p, contact.i, &contact, 1.0, false);
+    }
+}
+
+/* The largest eigenvalue of a symmetric 3 x 3 matrix, xx yy zz xy xz yz, in closed form. */
+static double largest_of(const double m[6]) {
+    double mean = (m[0] + m[1] + m[2]) / 3.0;
+    double x = m[0] - mean, y = m[1] - mean, z = m[2] - mean;
+    double off = m[3] * m[3] + m[4] * m[4] + m[5] * m[5];
+    double size = sqrt((x * x + y * y + z * z + 2.0 * off) / 6.0);
+    if (!(size > 1e-12 * fabs(mean)))
+        return mean + 2.0 * size;
+    double determinant =
+        x * (y * z - m[5] * m[5]) - m[3] * (m[3] * z - m[5] * m[4]) + m[4] * (m[3] * m[5] - y * m[4]);
+    double cosine = fmin(fmax(0.5 * determinant / (size * size * size), -1.0), 1.0);
+    return mean + 2.0 * size * cos(acos(cosine) / 3.0);
+}
+
+double stability_eigenvalue(const double *sum, int sums) {
+    double push = largest_of(sum);
+    if (sums == STABILITY_PUSH)
+        return push;
+    double turn = largest_of(sum + 6), half = 0.5 * (push - turn);
+    double couple = sum[12] * sum[12] + sum[13] * sum[13] + sum[14] * sum[14];
+    return 0.5 * (push + turn) + sqrt(half * half + couple);
+}
+
+void stability_solve(struct stability *s, const struct particles *particles) {
+#pragma omp parallel for schedule(static)
+    for (size_t k = 0; k < particles->owned; k++) {
+        const double *sum = s->sum + k * (size_t)s->sums;
+        bool touched = sum[0] + sum[1] + sum[2] > 0.0;
+        s->local[k] = touched ? stability_eigenvalue(sum, s->sums) : 0.0;
+    }
+}
+
+static double block_worst(const struct stability *s, const struct force_context *context,
+                          const struct pair_block *block) {
+    struct stability_contact contact;
+    double most = 0.0;
+    for (size_t k = block->first_pair; k < block->end_pair; k++) {
+        double both = s->local[context->list->i[k]] + s->local[pair_partner(context->list->j[k])];
+        if (both > most && pair_contact(s, context, k, &contact))
+            most = both;
+    }
+    return most;
+}
+
+double stability_worst(const struct stability *s, const struct force_context *context) {
+    const struct pairlist *list = context->list;
+    double most = 0.0;
+#pragma omp parallel for schedule(static, 1) reduction(max : most)
+    for (int t = 0; t < list->threads; t++)
+        for (int b = list->thread_block[t]; b < list->thread_block[t + 1]; b++)
+            most = fmax(most, block_worst(s, context, &list->blocks[b]));
+    for (size_t k = 0; k < context->particles->owned; k++) /* contacts with walls: a wall has no L */
+        most = fmax(most, s->local[k]);
+    return most;
+}

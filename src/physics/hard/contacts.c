@@ -1,0 +1,359 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
+/* From coloured pairs and places of walls to rows, and what contacts remember. Read contacts.h first. */
+#include "physics/hard/contacts.h"
+#include "base/memory.h"
+#include <string.h>
+
+static const char what[] = "contacts of a step";
+
+/* Rows of walls in a cut, those of one particle always together. */
+enum { WALL_CUT = 64 };
+
+/* The part of an overlap that a rigid row wants away in a step. */
+static const double rigid_repair = 0.2;
+
+/* Rows begin with the impulses of the last step where there are at least so many sweeps a kappa, else with a part of them:
+ * stiff rows that do not converge would swing. */
+static const double warm_sweeps = 0.75, warm_part = 0.8;
+
+void hard_contacts_create(struct hard_contacts *contacts, int threads) {
+    *contacts = (struct hard_contacts){0};
+    contacts->found = memory_allocate_zero((size_t)threads, sizeof *contacts->found, what);
+}
+
+void hard_contacts_free(struct hard_contacts *contacts, int threads) {
+    for (int t = 0; t < threads; t++)
+        memory_free(contacts->found[t].place);
+    memory_free(contacts->found);
+    memory_free(contacts->pair);
+    memory_free(contacts->wall);
+    memory_free(contacts->past);
+    *contacts = (struct hard_contacts){0};
+}
+
+static int material_number(const struct hard_scene *scene, size_t i) {
+    return scene->material ? scene->material[i] : 0;
+}
+
+/* Turns a vector of the tangent plane into that of `normal`, with its length. */
+static void turn(const double old[3], const double normal[3], double out[3]) {
+    double along = hard_dot(old, normal), before = hard_dot(old, old), after = 0.0;
+    for (int d = 0; d < 3; d++)
+        out[d] = old[d] - along * normal[d];
+    after = hard_dot(out, out);
+    for (int d = 0; d < 3 && after > 0.0; d++)
+        out[d] *= sqrt(before / after);
+}
+
+/* Springs of a contact by kappa. */
+static void stiffen_rigid(struct hard_row *row, const struct hard_terms *terms, const struct hard_pace *pace,
+                          const struct hard_body *a, const struct hard_body *b, double smaller) {
+    double share = pace->dt / (pace->duration * terms->kappa);
+    row->soft_n = hard_push(a, b) * share;
+    row->soft_t = hard_slide(row, a, b) * share;
+    row->bias = row->gap / pace->dt;
+    if (isinf(terms->kappa) && row->gap < 0.0)
+        row->bias *= rigid_repair;
+    row->release = terms->repair * smaller / pace->dt;
+}
+
+/* Springs of a contact by the law. `radius`: of the contact, effective. */
+static void stiffen_law(struct hard_row *row, const struct hard_terms *terms, const struct hard_term *term,
+                        const struct hard_pace *pace, double push, double radius) {
+    double k = term->stiffness, h = pace->duration, mass = push > 0.0 ? 1.0 / push : 0.0;
+    row->release = INFINITY;
+    row->bias = row->gap / pace->dt;
+    if (terms->hertz) {
+        row->hertz = h * k * sqrt(radius);
+        row->damper = h * term->damper * sqrt(mass * k * sqrt(radius));
+        row->shear = h * pace->dt * term->tangential * sqrt(radius);
+        row->deep = fmax(0.0, -row->gap);
+        return;
+    }
+    double c = term->damper * sqrt(mass * k);
+    row->soft_n = 1.0 / (h * (k * pace->dt + c));
+    row->soft_t = term->tangential > 0.0 ? 1.0 / (h * pace->dt * term->tangential) : 0.0;
+    if (row->gap < 0.0)
+        row->bias = row->gap / (pace->dt + c / k);
+}
+
+/* True if the step is too long to show the impact that the row begins: a rigid one, or one by the law that lasts less than
+ * two steps (Hertz: 2.9432 times the largest overlap over the speed). */
+static bool is_brief(const struct hard_row *row, const struct hard_term *term, const struct hard_pace *pace,
+                     double push) {
+    double speed = row->approach, mass = push > 0.0 ? 1.0 / push : 0.0, lasts = 0.0;
+    if (row->hertz > 0.0)
+        lasts = 2.9432 * pow(1.25 * mass * speed * speed * pace->duration / row->hertz, 0.4) / speed;
+    else if (term->stiffness > 0.0)
+        lasts = M_PI * sqrt(mass / term->stiffness);
+    return lasts < 2.0 * pace->dt;
+}
+
+/* The stiffness of a row's normal spring in units of the step. */
+static double kappa_of(const struct hard_row *row, const struct hard_pace *pace, double push) {
+    double share = push * pace->dt / pace->duration;
+    if (row->hertz > 0.0)
+        return share * pace->dt * 1.5 * row->hertz * sqrt(row->deep);
+    return row->soft_n > 0.0 ? share / row->soft_n : INFINITY;
+}
+
+/* What remains once bodies, normal, levers and gap of a row are known. */
+static void row_finish(struct hard_row *row, const struct hard_problem *problem,
+                       const struct hard_terms *terms, const struct hard_term *term,
+                       const struct hard_pace *pace, const double radius[2],
+                       const struct hard_memory *memory) {
+    const struct hard_body *a = &problem->body[row->body[0]], *b = &problem->body[row->body[1]];
+    double u[3], smaller = fmin(radius[0], radius[1]);
+    double effective = isinf(radius[1]) ? radius[0] : radius[0] * radius[1] / (radius[0] + radius[1]);
+    row->friction = term->friction;
+    row->restitution = term->restitution;
+    if (term->stiffness > 0.0)
+        stiffen_law(row, terms, term, pace, hard_push(a, b), effective);
+    else
+        stiffen_rigid(row, terms, pace, a, b, smaller);
+    hard_velocity(row, a, b, u);
+    row->approach = -hard_dot(u, row->normal);
+    double keep = pace->sweeps >= warm_sweeps * kappa_of(row, pace, hard_push(a, b)) ? 1.0 : warm_part;
+    turn(memory->rub, row->normal, row->hold);
+    row->impact =
+        memory->push <= 0.0 && row->approach > pace->rest && is_brief(row, term, pace, hard_push(a, b));
+    for (int d = 0; d < 3; d++) {
+        row->hold[d] *= pace->duration;
+        row->q[d] = row->impact ? 0.0 : keep * row->hold[d];
+    }
+    row->p = row->impact ? 0.0 : keep * pace->duration * memory->push;
+}
+
+/* The separation of pair m, and its gap. */
+static double separate(const struct hard_pairs *pairs, const struct hard_scene *scene, size_t m,
+                       double apart[3], double *distance) {
+    const struct particle_state *i = &scene->particles->state[pairs->end[m][0]],
+                                *j = &scene->particles->state[pairs->end[m][1]];
+    const double *shift = scene->list->shift[pairs->image[m]];
+    for (int d = 0; d < 3; d++)
+        apart[d] = (j->x[d] - i->x[d]) + shift[d];
+    *distance = sqrt(hard_dot(apart, apart));
+    return *distance - i->radius - j->radius;
+}
+
+static bool is_near(const struct hard_pairs *pairs, const struct hard_scene *scene,
+                    const struct hard_pace *pace, size_t m) {
+    const uint32_t *end = pairs->end[m];
+    const struct particle_state *state = scene->particles->state;
+    double apart[3], distance;
+    return separate(pairs, scene, m, apart, &distance) < pace->near &&
+           state[end[0]].inverse_mass + state[end[1]].inverse_mass > 0.0 && distance > 0.0;
+}
+
+static void pair_fill(struct hard_row *row, const struct hard_problem *problem,
+                      const struct hard_pairs *pairs, const struct hard_scene *scene,
+                      const struct hard_terms *terms, const struct hard_pace *pace, size_t m) {
+    double apart[3], distance, gap = separate(pairs, scene, m, apart, &distance), radius[2];
+    int material[2];
+    *row = (struct hard_row){.body = {pairs->end[m][0], pairs->end[m][1]}, .gap = gap};
+    for (int e = 0; e < 2; e++) {
+        radius[e] = scene->particles->state[row->body[e]].radius;
+        material[e] = material_number(scene, row->body[e]);
+        row->lever[e] = radius[e] + 0.5 * gap;
+    }
+    for (int d = 0; d < 3; d++)
+        row->normal[d] = apart[d] / distance;
+    row_finish(row, problem, terms, hard_term_of(terms, material[0], material[1]), pace, radius,
+               &pairs->memory[m]);
+}
+
+/* Rows of pairs, cut by cut in the order of the colours. */
+static void pairs_find(struct hard_contacts *contacts, struct hard_problem *problem, struct hard_pairs *pairs,
+                       const struct hard_scene *scene, const struct hard_terms *terms,
+                       const struct hard_pace *pace) {
+    const struct hard_colours *colours = &pairs->colours;
+    size_t rows = 0;
+    hard_problem_reserve(problem, 0, 0, colours->cuts + 1);
+#pragma omp parallel for schedule(static)
+    for (size_t k = 0; k < colours->cuts; k++) {
+        problem->cut[k + 1] = 0;
+        for (size_t m = colours->cut[k]; m < colours->cut[k + 1]; m++)
+            problem->cut[k + 1] += is_near(pairs, scene, pace, m);
+    }
+    for (size_t k = 0; k < colours->cuts; k++) {
+        rows += problem->cut[k + 1];
+        problem->cut[k + 1] = rows;
+    }
+    hard_problem_reserve(problem, 0, rows, 0);
+    contacts->pair = hard_problem_grow(contacts->pair, &contacts->pair_room, rows, sizeof *contacts->pair);
+#pragma omp parallel for schedule(static)
+    for (size_t k = 0; k < colours->cuts; k++) {
+        size_t r = problem->cut[k];
+        for (size_t m = colours->cut[k]; m < colours->cut[k + 1]; m++) {
+            if (is_near(pairs, scene, pace, m)) {
+                pair_fill(&problem->row[r], problem, pairs, scene, terms, pace, m);
+                contacts->pair[r++] = (uint32_t)m;
+            }
+            pairs->memory[m] = (struct hard_memory){0};
+        }
+    }
+    for (int c = 0; c < colours->colours; c++) {
+        problem->cuts = colours->colour[c + 1];
+        hard_problem_end_colour(problem);
+    }
+    problem->rows = contacts->pair_rows = rows;
+}
+
+static void wall_note(void *context, const struct wall_place *place) {
+    struct hard_wall_found *found = context;
+    found->place = hard_problem_grow(found->place, &found->room, found->count + 1, sizeof *found->place);
+    found->place[found->count++] = *place;
+}
+
+/* Places of walls near particles, by particle, in contacts->wall. */
+static void walls_find(struct hard_contacts *contacts, const struct hard_scene *scene, double near) {
+    contacts->walls = 0;
+    if (scene->walls == NULL)
+        return;
+#pragma omp parallel for schedule(static, 1)
+    for (int t = 0; t < scene->threads; t++) {
+        contacts->found[t].count = 0;
+        walls_visit(scene->walls, scene->particles, t, near, wall_note, &contacts->found[t]);
+    }
+    for (int t = 0; t < scene->threads; t++)
+        for (size_t k = 0; k < contacts->found[t].count; k++) {
+            const struct wall_place *place = &contacts->found[t].place[k];
+            if (!(scene->particles->state[place->particle].inverse_mass > 0.0))
+                continue;
+            contacts->wall = hard_problem_grow(contacts->wall, &contacts->wall_room, contacts->walls + 1,
+                                               sizeof *contacts->wall);
+            contacts->wall[contacts->walls++] = (struct hard_wall_contact){.place = *place};
+        }
+}
+
+/* Gives contacts with walls the memory of the step before; both are sorted by particle. */
+static void walls_recall(struct hard_contacts *contacts) {
+    size_t p = 0;
+    for (size_t k = 0; k < contacts->walls; k++) {
+        const struct wall_place *place = &contacts->wall[k].place;
+        while (p < contacts->pasts && contacts->past[p].particle < place->particle)
+            p++;
+        for (size_t q = p; q < contacts->pasts && contacts->past[q].particle == place->particle; q++)
+            if (contacts->past[q].wall == place->wall && contacts->past[q].feature == place->feature)
+                contacts->wall[k].memory = contacts->past[q].memory;
+    }
+    contacts->pasts = 0;
+}
+
+static void wall_fill(struct hard_problem *problem, const struct hard_wall_contact *contact, size_t r,
+                      const struct hard_scene *scene, const struct hard_terms *terms,
+                      const struct hard_pace *pace) {
+    const struct wall_place *place = &contact->place;
+    struct hard_row *row = &problem->row[r];
+    double radius = scene->particles->state[place->particle].radius;
+    uint32_t body = (uint32_t)problem->bodies++;
+    int material = material_number(scene, place->particle);
+    problem->body[body] =
+        (struct hard_body){.v = {place->velocity[0], place->velocity[1], place->velocity[2]}};
+    *row = (struct hard_row){.body = {(uint32_t)place->particle, body},
+                             .normal = {place->normal[0], place->normal[1], place->normal[2]},
+                             .lever = {fmax(0.0, radius + place->gap), 0.0},
+                             .gap = place->gap};
+    row_finish(row, problem, terms, hard_term_of(terms, material, scene->wall_material[place->wall]), pace,
+               (double[2]){radius, INFINITY}, &contact->memory);
+}
+
+void hard_contacts_find(struct hard_contacts *contacts, struct hard_problem *problem,
+                        struct hard_pairs *pairs, const struct hard_scene *scene,
+                        const struct hard_terms *terms, const struct hard_pace *pace) {
+    hard_problem_begin(problem, pace->dt);
+    pairs_find(contacts, problem, pairs, scene, terms, pace);
+    walls_find(contacts, scene, pace->near);
+    walls_recall(contacts);
+    hard_problem_reserve(problem, problem->bodies + contacts->walls, problem->rows + contacts->walls,
+                         problem->cuts + contacts->walls);
+    for (size_t k = 0, in_cut = 1; k < contacts->walls; k++, in_cut++) {
+        bool last = k + 1 == contacts->walls;
+        wall_fill(problem, &contacts->wall[k], problem->rows++, scene, terms, pace);
+        if (last || (in_cut >= WALL_CUT &&
+                     contacts->wall[k + 1].place.particle != contacts->wall[k].place.particle)) {
+            problem->cut[++problem->cuts] = problem->rows;
+            in_cut = 0;
+        }
+    }
+    hard_problem_end_colour(problem);
+}
+
+/* An impact is over in a step: the next one begins without it. */
+static struct hard_memory memory_of(const struct hard_row *row, const struct hard_pace *pace) {
+    struct hard_memory memory = {0};
+    if (row->impact)
+        return memory;
+    memory.push = row->p / pace->duration;
+    for (int d = 0; d < 3; d++)
+        memory.rub[d] = row->q[d] / pace->duration;
+    return memory;
+}
+
+void hard_contacts_remember(struct hard_contacts *contacts, const struct hard_problem *problem,
+                            struct hard_pairs *pairs, const struct hard_pace *pace) {
+#pragma omp parallel for schedule(static)
+    for (size_t r = 0; r < contacts->pair_rows; r++)
+        pairs->memory[contacts->pair[r]] = memory_of(&problem->row[r], pace);
+    contacts->past =
+        hard_problem_grow(contacts->past, &contacts->past_room, contacts->walls, sizeof *contacts->past);
+    for (size_t k = 0; k < contacts->walls; k++) {
+        const struct wall_place *place = &contacts->wall[k].place;
+        struct hard_memory memory = memory_of(&problem->row[contacts->pair_rows + k], pace);
+        if (memory.push > 0.0)
+            contacts->past[contacts->pasts++] =
+                (struct hard_wall_memory){(uint32_t)place->particle, place->wall, place->feature, memory};
+    }
+}
+
+/* A feature of a wall as the partner of a row. */
+static int64_t partner_of(const struct hard_wall_memory *past) {
+    return -1 - past->wall - (int64_t)WALLS_MAX * past->feature;
+}
+
+void hard_contacts_detach(const struct hard_contacts *contacts, struct hard_pairs *pairs,
+                          const struct pairlist *list, const struct particles *particles) {
+    struct history_rows *rows = &pairs->rows, all = {0};
+    if (rows->start)
+        return;
+    hard_pairs_detach(pairs, list, particles);
+    all.start = memory_allocate(particles->owned + 1, sizeof *all.start, what);
+    all.row = memory_allocate(rows->count + contacts->pasts, sizeof *all.row, what);
+    for (size_t k = 0, p = 0; k < particles->owned; k++) {
+        all.start[k] = all.count;
+        for (size_t r = rows->start[k]; r < rows->start[k + 1]; r++, all.count++) {
+            all.row[all.count] = rows->row[r];
+            for (int c = HARD_MEMORY; c < HISTORY_COMPONENTS_USUAL; c++)
+                all.row[all.count].value[c] = 0.0;
+        }
+        for (; p < contacts->pasts && contacts->past[p].particle == k; p++) {
+            const struct hard_wall_memory *past = &contacts->past[p];
+            const double *rub = past->memory.rub;
+            all.row[all.count++] = (struct history_row){.id = particles->id[k],
+                                                        .partner = partner_of(past),
+                                                        .value = {rub[0], rub[1], rub[2], past->memory.push}};
+        }
+    }
+    all.start[particles->owned] = all.count;
+    history_rows_free(rows);
+    *rows = all;
+}
+
+void hard_contacts_attach(struct hard_contacts *contacts, const struct hard_pairs *pairs,
+                          const struct particles *particles) {
+    const struct history_rows *rows = &pairs->rows;
+    contacts->pasts = contacts->walls = 0;
+    for (size_t k = 0; rows->start && k < particles->owned; k++)
+        for (size_t r = rows->start[k]; r < rows->start[k + 1]; r++) {
+            const struct history_row *row = &rows->row[r];
+            if (row->partner >= 0)
+                continue;
+            contacts->past = hard_problem_grow(contacts->past, &contacts->past_room, contacts->pasts + 1,
+                                               sizeof *contacts->past);
+            contacts->past[contacts->pasts++] = (struct hard_wall_memory){
+                .particle = (uint32_t)k,
+                .wall = (int32_t)((-1 - row->partner) % WALLS_MAX),
+                .feature = (int32_t)((-1 - row->partner) / WALLS_MAX),
+                .memory = {row->value[3], {row->value[0], row->value[1], row->value[2]}}};
+        }
+}

@@ -1,0 +1,100 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
+/* The rows of a step: contacts of grains, and of grains with walls, that may close within the step.
+ *
+ * Of a pair of materials the terms say how a contact answers:
+ *   kappa       stiffness of rigid contacts in units of the step: stiffness = kappa / (dt^2 x inverse mass of the
+ *               contact), the same at all times; INFINITY: rigid rows
+ *   an implicit law (`stiffness` > 0) has its own springs instead: linear, or Hertz's with the exponent 3/2
+ *   restitution of impacts that are over within two steps; the damper of an implicit law makes that of longer ones */
+#ifndef SCREE_HARD_CONTACTS_H
+#define SCREE_HARD_CONTACTS_H
+
+#include "physics/hard/pairs.h"
+#include "physics/hard/problem.h"
+#include "physics/grains/walls/wall.h"
+
+struct hard_term {
+    double friction, restitution;
+    double stiffness;  /* force/length; of Hertz force/length^2, times the contact radius; 0: by kappa */
+    double tangential; /* the same of the tangential spring */
+    double damper;     /* over sqrt(mass x stiffness) */
+};
+
+struct hard_terms {
+    double kappa;
+    double repair; /* largest release of an overlap in a step, over the smaller radius; rigid contacts */
+    bool hertz;
+    int materials;
+    struct hard_term *pair; /* materials x materials */
+};
+
+static inline const struct hard_term *hard_term_of(const struct hard_terms *terms, int a, int b) {
+    return &terms->pair[(size_t)a * (size_t)terms->materials + (size_t)b];
+}
+
+/* What a contact with a wall remembers. */
+struct hard_wall_memory {
+    uint32_t particle;
+    int32_t wall, feature;
+    struct hard_memory memory;
+};
+
+/* One contact with a wall in the step. */
+struct hard_wall_contact {
+    struct wall_place place;
+    struct hard_memory memory;
+};
+
+/* The particles as the contacts see them. Borrowed. */
+struct hard_scene {
+    const struct particles *particles;
+    const uint8_t *material; /* NULL: all 0 */
+    const int *wall_material;
+    struct walls *walls; /* NULL: none */
+    const struct pairlist *list;
+    int threads;
+};
+
+/* The step. */
+struct hard_pace {
+    double dt, duration;
+    double near; /* contacts with larger gaps cannot close in this step; length */
+    double rest; /* speed of approach above which a new contact is an impact */
+    int sweeps;  /* at most */
+};
+
+struct hard_contacts {
+    uint32_t *pair; /* of each row of a pair: its number in struct hard_pairs */
+    size_t pair_rows, pair_room;
+    size_t walls, wall_room;
+    struct hard_wall_contact *wall; /* of the rows behind those of pairs, by particle */
+    struct hard_wall_memory *past;  /* of the last step, by particle */
+    size_t pasts, past_room;
+    struct hard_wall_found {
+        size_t count, room;
+        struct wall_place *place;
+    } * found; /* by thread */
+};
+
+void hard_contacts_create(struct hard_contacts *contacts, int threads);
+void hard_contacts_free(struct hard_contacts *contacts, int threads);
+
+/* Makes the rows of the problem, whose bodies 0 ... are the particles, copies behind the owned ones, with the velocities
+ * that they would have without contacts. Each contact with a wall adds a body, the wall at that place. Takes the memory
+ * of all contacts away. One thread opens teams of its own. */
+void hard_contacts_find(struct hard_contacts *contacts, struct hard_problem *problem,
+                        struct hard_pairs *pairs, const struct hard_scene *scene,
+                        const struct hard_terms *terms, const struct hard_pace *pace);
+
+/* Turns what contacts remember into rows of the pairs (pairs.h), those with walls with a negative partner; takes these back
+ * before hard_pairs_make. */
+void hard_contacts_detach(const struct hard_contacts *contacts, struct hard_pairs *pairs,
+                          const struct pairlist *list, const struct particles *particles);
+void hard_contacts_attach(struct hard_contacts *contacts, const struct hard_pairs *pairs,
+                          const struct particles *particles);
+
+/* Gives all contacts that are no impacts the memory of the solved problem. */
+void hard_contacts_remember(struct hard_contacts *contacts, const struct hard_problem *problem,
+                            struct hard_pairs *pairs, const struct hard_pace *pace);
+
+#endif

@@ -1,0 +1,391 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
+/* Hard contacts as a physics (engine/physics.h): the one file that joins the solver to the engine. Read hard.h first. */
+#include "base/memory.h"
+#include "physics/grains/grains.h"
+#include "physics/hard/hard_state.h"
+#include "kernel/particles/kinds.h"
+#include "kernel/particles/material.h"
+#include "kernel/particles/spin.h"
+#include "data/scene/sizes.h"
+
+/* Largest coefficient of restitution: the pass of restitution may add energy where several impacts
+ * meet, and what friction and the other contacts lose makes up for it up to here. */
+static const double restitution_most = 0.95;
+
+/* The longest step: a grain moves by this part of the smallest radius at the expected speed, and a free fall from rest by this
+ * part of sqrt(r/g). The default step is a fraction of it (step.fraction). */
+static const double move_most = 0.5, fall_most = 1.0 / 15.0;
+
+/* Overlaps over the smaller radius that `scree check` notes. */
+static const double overlap_most = 0.01;
+
+static double range(const void *context, int kind_a, double radius_a, int kind_b, double radius_b) {
+    (void)radius_a, (void)radius_b;
+    return kind_a == KIND_GRAIN && kind_b == KIND_GRAIN ? ((const struct hard *)context)->solver.reach
+                                                        : -INFINITY;
+}
+
+/* The laws that have a trait, as a list. */
+static const char *laws_with(const char *trait, char *text, size_t room) {
+    text[0] = '\0';
+    for (int k = 0; k < LAW_COUNT; k++)
+        if (law_has_trait((enum law_normal)k, trait)) {
+            size_t used = strlen(text);
+            snprintf(text + used, room - used, "%s%s", used ? ", " : "",
+                     law_row_get((enum law_normal)k)->name);
+        }
+    return text;
+}
+
+/* Refuses parts of a law that have no form in the solver. */
+static bool check_law(const struct scene *scene, struct error *error) {
+    const struct law_options *o = &scene->law;
+    char laws[128];
+    if (!law_has_trait(o->normal, "implicit"))
+        return scene_fail(scene, error, "contact.solver", "goes with contact.law %s, not with %s",
+                          laws_with("implicit", laws, sizeof laws), law_row_get(o->normal)->name);
+    const struct {
+        const char *key;
+        bool given;
+        const char *allowed;
+    } part[] = {{"contact.cohesion", o->cohesion != LAW_COHESION_NONE, "none"},
+                {"contact.tangential", o->tangential > LAW_TANGENTIAL_HISTORY, "none, history"},
+                {"contact.rolling", o->rolling != LAW_ROLLING_NONE, "none"},
+                {"contact.twisting", o->twisting != LAW_TWISTING_NONE, "none"},
+                {"contact.damping", o->damping != LAW_DAMPING_RESTITUTION, "restitution"},
+                {"contact.lammps_history", o->lammps_history, "false"},
+                {"contact.lammps_granular", o->lammps_granular, "false"}};
+    for (size_t k = 0; k < sizeof part / sizeof part[0]; k++)
+        if (part[k].given)
+            return scene_fail(scene, error, part[k].key, "has no form in contact.solver; allowed with it: %s",
+                              part[k].allowed);
+    return true;
+}
+
+static bool check_pairs(const struct scene *scene, struct error *error) {
+    for (int a = 0; a < scene->materials; a++)
+        for (int b = 0; b <= a; b++) {
+            const struct law_pair *pair = scene_law_pair(scene, a, b);
+            if (pair->restitution > restitution_most)
+                return scene_fail(scene, error, "material_pairs",
+                                  "%s, %s: restitution is %g; allowed with contact.solver are 0 to %g",
+                                  scene->material[b].name, scene->material[a].name, pair->restitution,
+                                  restitution_most);
+            if (pair->extra.static_friction > pair->friction)
+                return scene_fail(scene, error, "material_pairs",
+                                  "%s, %s: static_friction has no form in contact.solver; allowed: no more "
+                                  "than friction",
+                                  scene->material[b].name, scene->material[a].name);
+        }
+    return true;
+}
+
+/* Refuses what the solver does not know yet. */
+static bool check(const struct physics_context *context, struct error *error) {
+    const struct scene *scene = context->scene;
+    static const char with[] = "does not go with contact.solver yet; allowed with it: %s";
+    if (scene->materials == 0)
+        return scene_fail(scene, error, "contact.solver", "needs `materials`: grains that touch");
+    if (scene->reproducible)
+        return scene_fail(scene, error, "reproducible", with, "false");
+    for (int k = 0; k < PHYSICS_COUNT; k++)
+        if (scene->physics_given[k] && k != PHYSICS_hard && k != PHYSICS_density)
+            return scene_fail(scene, error, physics_key((enum physics_number)k), with,
+                              "physics that only look at grains");
+    for (int w = 0; w < scene->walls; w++)
+        for (int m = 0; m < scene->wall[w].motions; m++)
+            if (scene->wall[w].motion[m].kind == WALL_SERVO) {
+                char key[64];
+                snprintf(key, sizeof key, "walls[%d].motion[%d]", w, m);
+                return scene_fail(scene, error, key, with, "motions by order, no servo");
+            }
+    if (output_interval_set(&scene->output.walls.every))
+        return scene_fail(scene, error, "output.walls", with, "no files of loads on walls");
+    return check_law(scene, error) && check_pairs(scene, error);
+}
+
+static void terms_make(struct hard_terms *terms, const struct physics_context *context,
+                       const struct hard_options *options) {
+    const struct scene *scene = context->scene;
+    const struct law *law = &grains_of(context->set)->law;
+    const struct law_form *form = law_form_of(&law->options);
+    bool stiff = law_has_trait(law->options.normal, "stiff");
+    *terms = (struct hard_terms){
+        .kappa = stiff ? options->kappa : 0.0, .repair = options->repair, .hertz = !stiff && !form->linear};
+    terms->materials = scene->materials;
+    terms->pair = memory_allocate_zero((size_t)(scene->materials * scene->materials), sizeof *terms->pair,
+                                       "hard contacts");
+    for (int a = 0; a < scene->materials; a++)
+        for (int b = 0; b < scene->materials; b++) {
+            const struct law_coefficients *c = law_pair_of(law, a, b);
+            struct hard_term *term = &terms->pair[a * scene->materials + b];
+            *term = (struct hard_term){.friction = c->friction,
+                                       .restitution = scene_law_pair(scene, a, b)->restitution};
+            if (stiff)
+                continue;
+            term->stiffness = c->k_n;
+            term->tangential = c->k_t;
+            term->damper = c->c_n;
+        }
+}
+
+static size_t listed(const void *self, bool walls, struct force_contact **contacts) {
+    const struct hard *hard = self;
+    return hard_solver_list(&hard->solver, hard->context->particles, walls, contacts);
+}
+
+static void *create(const struct physics_context *context) {
+    struct hard *hard = memory_allocate_zero(1, sizeof *hard, "hard contacts");
+    struct hard_solver *solver = &hard->solver;
+    const struct scene *scene = context->scene;
+    hard->context = context;
+    grains_contact(context)->solved = listed;
+    grains_contact(context)->solver = hard;
+    solver->comm = context->comm;
+    solver->options = *(const struct hard_options *)context->options;
+    solver->threads = context->threads;
+    terms_make(&solver->terms, context, &solver->options);
+    hard_pairs_create(&solver->pairs, context->threads);
+    hard_contacts_create(&solver->contacts, context->threads);
+    for (int w = 0; w < scene->walls; w++)
+        hard->wall_material[w] = scene->wall[w].material;
+    hard->smallest = INFINITY;
+    return hard;
+}
+
+static void destroy(void *self) {
+    struct hard *hard = self;
+    hard_pairs_free(&hard->solver.pairs);
+    hard_contacts_free(&hard->solver.contacts, hard->solver.threads);
+    hard_problem_free(&hard->solver.problem);
+    hard_border_free(&hard->solver.border);
+    memory_free(hard->solver.terms.pair);
+    memory_free(hard);
+}
+
+static struct hard_input input_of(const struct physics_context *context) {
+    struct hard *hard = context->self;
+    double dt = context->clock->dt;
+    struct hard_input input = {.scene = {.particles = context->particles,
+                                         .material = material_numbers(context->particles),
+                                         .wall_material = hard->wall_material,
+                                         .walls = grains_walls(context),
+                                         .list = context->list[0],
+                                         .threads = context->threads},
+                               .particles = context->particles,
+                               .omega = spin_values(context->particles),
+                               .dimension = context->box->dimension,
+                               .dt = dt,
+                               .duration = context->evaluation->dt > 0.0 ? dt : 0.5 * dt};
+    memcpy(input.gravity, context->scene->gravity, sizeof input.gravity);
+    return input;
+}
+
+static struct history_rows *rows(const struct physics_context *context) {
+    struct hard *hard = context->self;
+    if (context->list[0]) /* a resume asks before there are lists */
+        hard_contacts_detach(&hard->solver.contacts, &hard->solver.pairs, context->list[0],
+                             context->particles);
+    return &hard->solver.pairs.rows;
+}
+
+static void rebuilt(const struct physics_context *context) {
+    struct hard_solver *solver = &((struct hard *)context->self)->solver;
+    solver->border.ghosts = context->ghosts;
+    solver->border.particles = context->particles;
+    solver->border.field = fields_find(context->particles, "contact_velocity");
+    hard_contacts_attach(&solver->contacts, &solver->pairs, context->particles);
+    hard_pairs_make(&solver->pairs, context->list[0], context->particles, context->box,
+                    context->scene->ghosts.newton);
+}
+
+/* The reach that the present speeds ask for, with room to grow; true if it differs much from the present one. */
+static bool rebuilt_again(const struct physics_context *context) {
+    struct hard *hard = context->self;
+    const struct hard_input input = input_of(context);
+    double wants = hard_solver_wants(
+        &input, fmax(hard->last.fastest, hard_solver_fastest(&hard->solver, context->particles)));
+    if (wants <= hard->solver.reach && hard->solver.reach <= 8.0 * wants)
+        return false;
+    hard->solver.reach = 2.0 * wants;
+    return true;
+}
+
+static bool due(const struct physics_context *context) {
+    struct hard *hard = context->self;
+    const struct hard_input input = input_of(context);
+    return hard_solver_wants(&input, hard->last.fastest) > hard->solver.reach;
+}
+
+static void count(struct hard *hard) {
+    hard->solves++;
+    hard->sweeps += (uint64_t)hard->last.sweeps;
+    hard->unmet +=
+        hard->solver.options.tolerance > 0.0 && hard->last.residual > hard->solver.options.tolerance;
+    hard->worst = fmax(hard->worst, hard->last.residual);
+}
+
+static void solve(const struct physics_context *context) {
+    struct hard *hard = context->self;
+    const struct hard_input input = input_of(context);
+    struct grains *grains = grains_of(context->set);
+    struct force_sums *sums = &grains->sums;
+    double stored = hard->last.stored[0];
+    hard_solver_step(&hard->solver, &input, &hard->last);
+    count(hard);
+    *sums = (struct force_sums){.taken = hard->last.lost - (hard->last.stored[0] - stored),
+                                .elastic_normal = hard->last.stored[0],
+                                .elastic_tangential = hard->last.stored[1],
+                                .overlap_max = hard->last.overlap,
+                                .overlap_id = {hard->last.overlap_id[0], hard->last.overlap_id[1]},
+                                .contacts = hard->last.contacts,
+                                .contact_sides = 2 * hard->last.contacts};
+    memcpy(sums->virial, hard->last.virial, sizeof sums->virial);
+    if (grains->walls)
+        walls_finish(grains->walls, &grains->contact, sums);
+    grains->taken += sums->taken;
+}
+
+/* Finds the smallest radius, and the masses of the lightest and the heaviest grain. */
+static void sizes_find(const struct physics_context *context, struct hard *hard) {
+    double least[2] = {INFINITY, INFINITY}, heavy = 0.0, smallest, largest;
+    for (size_t k = 0; k < context->particles->owned; k++) {
+        const struct particle_state *state = &context->particles->state[k];
+        if (!(state->inverse_mass > 0.0))
+            continue;
+        least[0] = fmin(least[0], state->radius);
+        least[1] = fmin(least[1], 1.0 / state->inverse_mass);
+        heavy = fmax(heavy, 1.0 / state->inverse_mass);
+    }
+    for (int k = 0; k < context->scene->insertions; k++) {
+        sizes_bounds(&context->scene->insertion[k].sizes, &smallest, &largest);
+        least[0] = fmin(least[0], smallest);
+    }
+    comm_min(context->comm, least, 2);
+    comm_max(context->comm, &heavy, 1);
+    hard->smallest = least[0];
+    hard->light = least[1];
+    hard->heavy = heavy;
+}
+
+static double limit(const struct physics_context *context, double most) {
+    struct hard *hard = context->self;
+    double speed = grains_of(context->set)->stable.speed_most;
+    double g = sqrt(hard_dot(context->scene->gravity, context->scene->gravity));
+    if (isinf(hard->smallest))
+        sizes_find(context, hard);
+    if (speed > 0.0)
+        most = fmin(most, move_most * hard->smallest / speed);
+    if (g > 0.0)
+        most = fmin(most, fall_most * sqrt(hard->smallest / g));
+    return most;
+}
+
+static void guard(const struct physics_context *context, struct error *error) {
+    const struct hard *hard = context->self;
+    const struct hard_options *options = &hard->solver.options;
+    if (context->scene->guards.residual != SCENE_GUARD_STOP || error->kind != ERROR_NONE ||
+        !(options->tolerance > 0.0) || !(hard->last.residual > 10.0 * options->tolerance))
+        return;
+    error_set(error, ERROR_PHYSICS,
+              "guards.residual: the residual of the contacts is %.3g after %d sweeps at step %llu, t = %.9g; "
+              "contact.solver.tolerance is %g: more sweeps, or a shorter step, reach it",
+              hard->last.residual, hard->last.sweeps, (unsigned long long)context->clock->step,
+              context->clock->time, options->tolerance);
+}
+
+static void restart(const struct physics_context *context, struct restart *list) {
+    struct hard *hard = context->self;
+    restart_add(list, RESTART_SUM, true, &hard->last.stored[0], "energy in solved contacts");
+    restart_add(list, RESTART_REAL, true, &hard->solver.reach, "reach of solved contacts");
+}
+
+static void report(const struct physics_context *context, struct report *report) {
+    const struct hard *hard = context->self;
+    report->solver[report->solvers++] = (struct report_solver){.name = "contacts",
+                                                               .rows = hard->last.rows,
+                                                               .solves = hard->solves,
+                                                               .iterations = hard->sweeps,
+                                                               .doubtful = hard->unmet,
+                                                               .residual = hard->last.residual,
+                                                               .residual_worst = hard->worst};
+}
+
+/* Prints what the springs of rigid contacts cost: the speed of news, and an overlap; and says if that is too much. */
+static void print_kappa(const struct physics_context *context, FILE *file) {
+    const struct hard *hard = context->self;
+    double kappa = hard->solver.terms.kappa, dt = context->clock->dt,
+           speed = grains_of(context->set)->stable.speed_most;
+    double news = sqrt(kappa) * 2.0 * hard->smallest / dt,
+           wants = 9.0 * speed * speed / (news * news) * kappa;
+    double g = sqrt(hard_dot(context->scene->gravity, context->scene->gravity));
+    double overlap = (1.0 + hard->heavy / hard->light) * g * dt * dt / (kappa * hard->smallest);
+    fprintf(file, "  news         travels about %.3g grains a step: %.4g in the smallest grains\n",
+            sqrt(kappa), news);
+    if (news < 3.0 * speed)
+        fprintf(
+            file,
+            "               NOTE: less than three times the expected speed; contact.solver.kappa: %.3g, or a "
+            "shorter step, is three times that\n",
+            wants);
+    fprintf(
+        file,
+        "  overlap      of the heaviest grain at rest on one of the lightest: %.2g of the smallest radius\n",
+        overlap);
+    if (overlap > overlap_most)
+        fprintf(file,
+                "               NOTE: more than %g; a bed shares the load, one grain needs "
+                "contact.solver.kappa: %.3g with as many sweeps, or a shorter step\n",
+                overlap_most, kappa * overlap / overlap_most);
+}
+
+static void print(const struct physics_context *context, FILE *file) {
+    const struct hard *hard = context->self;
+    const struct hard_solver *solver = &hard->solver;
+    double radius = hard->smallest, dt = context->clock->dt,
+           speed = grains_of(context->set)->stable.speed_most;
+    if (context->comm->rank > 0)
+        return;
+    fprintf(file, "\nsolver of contacts\n");
+    fprintf(file,
+            "  step         a grain moves by %.3g of the smallest radius at the expected speed of %.4g\n",
+            speed * dt / radius, speed);
+    fprintf(file, "  sweeps       up to %d a step, until the residual is %g\n", solver->options.sweeps,
+            solver->options.tolerance);
+    if (solver->terms.kappa > 0.0 && isfinite(solver->terms.kappa))
+        print_kappa(context, file);
+    fprintf(file, "  memory       %zu bytes a contact\n",
+            sizeof(struct hard_row) + sizeof(struct hard_memory));
+}
+
+static const struct physics_pass pass = {.name = "solve",
+                                         .does = "forces of contacts, by a solver",
+                                         .stage = PASS_CLOSE,
+                                         .timer = "contact",
+                                         .reads = "position velocity radius inverse_mass force",
+                                         .writes = "force",
+                                         .whole = solve};
+
+static const struct physics_search search = {
+    .interactions = 1, .interaction = {{.name = "solved contact", .range = range}}, .range_of_self = true};
+static const struct physics_rows memory = {
+    .of = rows, .components = HISTORY_COMPONENTS_USUAL, .due = due, .again = rebuilt_again};
+static const struct physics_limit limits = {
+    .of = limit,
+    .why = "a grain would move by half of the smallest radius in a step, or fall by a two-hundredth of it"};
+static const struct physics_shown shown = {.report = report};
+
+const struct physics hard_physics = {.name = "hard",
+                                     .passes = 1,
+                                     .pass = &pass,
+                                     .check = check,
+                                     .create = create,
+                                     .destroy = destroy,
+                                     .rebuilt = rebuilt,
+                                     .guard = guard,
+                                     .restart = restart,
+                                     .print = print,
+                                     .search = &search,
+                                     .rows = &memory,
+                                     .limit = &limits,
+                                     .shown = &shown};

@@ -1,0 +1,228 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
+/* The step of hard contacts. Read hard_solve.h and row.h first. */
+#include "physics/hard/hard_solve.h"
+#include "base/memory.h"
+#include <string.h>
+
+/* The residual is looked at every so many sweeps; restitution takes so many. */
+enum { LOOK_EVERY = 5, REBOUND_SWEEPS = 8 };
+
+/* An approach faster than so many times g dt is an impact. */
+static const double impact_speed = 8.0;
+
+static double size_of(const double a[3]) {
+    return sqrt(hard_dot(a, a));
+}
+
+double hard_solver_wants(const struct hard_input *input, double fastest) {
+    return 2.0 * input->dt * (fastest + 4.0 * size_of(input->gravity) * input->dt);
+}
+
+double hard_solver_fastest(const struct hard_solver *solver, const struct particles *particles) {
+    double square = 0.0;
+#pragma omp parallel for schedule(static) reduction(max : square)
+    for (size_t k = 0; k < particles->owned; k++)
+        square = fmax(square, hard_dot(particles->state[k].v, particles->state[k].v));
+    comm_max(solver->comm, &square, 1);
+    return sqrt(square);
+}
+
+/* Particle k without contacts at the end of the step. */
+static struct hard_body body_free(const struct hard_input *input, size_t k) {
+    const struct particles *p = input->particles;
+    const struct particle_state *state = &p->state[k];
+    const double *force = p->force + k * (size_t)p->force_stride;
+    double mass = state->inverse_mass, h = input->duration;
+    struct hard_body body = {.lightness = mass};
+    memcpy(body.v, state->v, sizeof body.v);
+    for (int d = 0; d < input->dimension && mass > 0.0; d++)
+        body.v[d] += h * (force[d] * mass + input->gravity[d]);
+    if (input->omega == NULL)
+        return body;
+    body.swing = 2.5 * mass / (state->radius * state->radius);
+    for (int d = 0; d < 3; d++)
+        body.w[d] = input->omega[k][d] + h * force[4 + d] * body.swing;
+    return body;
+}
+
+static void bodies_make(struct hard_solver *solver, const struct hard_input *input) {
+    struct hard_problem *problem = &solver->problem;
+    const struct particles *p = input->particles;
+    problem->bodies = p->owned + p->ghosts;
+    hard_problem_reserve(problem, problem->bodies, 0, 0);
+#pragma omp parallel for schedule(static)
+    for (size_t k = 0; k < p->owned + p->ghosts; k++) {
+        problem->body[k] = (struct hard_body){.lightness = p->state[k].inverse_mass};
+        if (k < p->owned)
+            problem->body[k] = body_free(input, k);
+        else if (input->omega)
+            problem->body[k].swing =
+                2.5 * p->state[k].inverse_mass / (p->state[k].radius * p->state[k].radius);
+    }
+    hard_border_send(&solver->border, problem);
+}
+
+static double residual_of(const struct hard_solver *solver) {
+    double sum[3];
+    hard_problem_residual(&solver->problem, sum);
+    comm_sum(solver->comm, sum, 3);
+    double most = fmax(sum[1], sum[2]);
+    return most > 0.0 ? sqrt(sum[0] / most) : 0.0;
+}
+
+/* Sweeps until the residual is met, or all are done. */
+static void iterate(struct hard_solver *solver, struct hard_result *result) {
+    const struct hard_options *options = &solver->options;
+    struct hard_problem *problem = &solver->problem;
+    hard_problem_warm(problem);
+    hard_border_join(&solver->border, problem, false);
+    hard_border_split(&solver->border, problem, true);
+    result->residual = INFINITY;
+    while (result->sweeps < options->sweeps && result->residual > options->tolerance) {
+        hard_problem_sweep(problem);
+        hard_border_join(&solver->border, problem, true);
+        result->sweeps++;
+        if (result->sweeps % LOOK_EVERY == 0 || result->sweeps == options->sweeps)
+            result->residual = residual_of(solver);
+    }
+    for (int k = 0; k < REBOUND_SWEEPS; k++) {
+        double any = hard_problem_rebound(problem);
+        comm_max(solver->comm, &any, 1);
+        if (any <= 0.0)
+            break;
+        hard_border_join(&solver->border, problem, true);
+    }
+    hard_border_split(&solver->border, problem, false);
+}
+
+/* Forces on the owned grains; adds the work that they take, with the mean of the velocities before and after the step. */
+static void forces_give(const struct hard_solver *solver, const struct hard_input *input,
+                        struct hard_result *result) {
+    struct particles *p = input->particles;
+    double lost = 0.0;
+#pragma omp parallel for schedule(static) reduction(+ : lost)
+    for (size_t k = 0; k < p->owned; k++) {
+        double *force = p->force + k * (size_t)p->force_stride;
+        const struct hard_body before = body_free(input, k), *after = &solver->problem.body[k];
+        const double *v = p->state[k].v, *w = input->omega ? input->omega[k] : NULL;
+        double mass = p->state[k].inverse_mass;
+        if (!(mass > 0.0))
+            continue;
+        for (int d = 0; d < 3; d++) {
+            double impulse = (after->v[d] - before.v[d]) / mass;
+            force[d] += impulse / input->duration;
+            lost -= 0.5 * impulse * (v[d] + after->v[d]);
+        }
+        for (int d = 0; d < 3 && w; d++) {
+            double impulse = (after->w[d] - before.w[d]) / before.swing;
+            force[4 + d] += impulse / input->duration;
+            lost -= 0.5 * impulse * (w[d] + after->w[d]);
+        }
+    }
+    result->lost += lost;
+}
+
+/* Forces on walls; their work on grains is no loss. */
+static void walls_give(const struct hard_solver *solver, const struct hard_input *input,
+                       struct hard_result *result) {
+    const struct hard_contacts *contacts = &solver->contacts;
+    for (size_t k = 0; k < contacts->walls; k++) {
+        const struct hard_row *row = &solver->problem.row[contacts->pair_rows + k];
+        const struct wall_place *place = &contacts->wall[k].place;
+        double force[3];
+        for (int d = 0; d < 3; d++) {
+            force[d] = (row->p * row->normal[d] + row->q[d]) / input->duration;
+            result->lost -= force[d] * input->duration * place->velocity[d];
+        }
+        walls_push(input->scene.walls, 0, place, force);
+    }
+}
+
+/* Largest overlap, contacts, and the sum of separation x force. */
+static void account(const struct hard_solver *solver, const struct hard_input *input,
+                    struct hard_result *result) {
+    const struct particles *p = input->particles;
+    static const int column[6] = {0, 1, 2, 0, 0, 1}, row_of[6] = {0, 1, 2, 1, 2, 2};
+    for (size_t r = 0; r < solver->problem.rows; r++) {
+        const struct hard_row *row = &solver->problem.row[r];
+        bool wall = r >= solver->contacts.pair_rows;
+        double smaller = p->state[row->body[0]].radius;
+        if (!wall)
+            smaller = fmin(smaller, p->state[row->body[1]].radius);
+        if (-row->gap / smaller > result->overlap) {
+            result->overlap = -row->gap / smaller;
+            result->overlap_id[0] = p->id[row->body[0]];
+            result->overlap_id[1] =
+                wall ? -(int64_t)(solver->contacts.wall[r - solver->contacts.pair_rows].place.wall + 1)
+                     : p->id[row->body[1]];
+        }
+        result->contacts += row->p > 0.0;
+        double stored[2];
+        hard_stored(row, input->dt, input->duration, stored);
+        result->stored[0] += row->impact ? 0.0 : stored[0];
+        result->stored[1] += row->impact ? 0.0 : stored[1];
+        double length = row->lever[0] + row->lever[1];
+        for (int c = 0; c < 6; c++)
+            result->virial[c] += length * row->normal[column[c]] *
+                                 (row->p * row->normal[row_of[c]] + row->q[row_of[c]]) / input->duration;
+    }
+}
+
+size_t hard_solver_list(const struct hard_solver *solver, const struct particles *particles, bool walls,
+                        struct force_contact **contacts) {
+    size_t pairs = solver->contacts.pair_rows, count = 0;
+    size_t first = walls ? pairs : 0, end = walls ? pairs + solver->contacts.walls : pairs;
+    *contacts = memory_allocate(end - first, sizeof **contacts, "contact list");
+    for (size_t r = first; r < end; r++) {
+        const struct hard_row *row = &solver->problem.row[r];
+        struct force_contact *contact = &(*contacts)[count];
+        if (!(row->p > 0.0))
+            continue;
+        *contact = (struct force_contact){.id_i = particles->id[row->body[0]],
+                                          .overlap = -row->gap,
+                                          .number_i = row->body[0],
+                                          .number_j = walls ? SIZE_MAX : row->body[1]};
+        contact->id_j =
+            walls ? -(int64_t)(solver->contacts.wall[r - pairs].place.wall + 1) : particles->id[row->body[1]];
+        for (int d = 0; d < 3; d++) {
+            contact->normal[d] = row->normal[d];
+            contact->branch[d] = (row->lever[0] + row->lever[1]) * row->normal[d];
+            contact->force[d] = (row->p * row->normal[d] + row->q[d]) / solver->duration;
+        }
+        count++;
+    }
+    return count;
+}
+
+void hard_solver_step(struct hard_solver *solver, const struct hard_input *input,
+                      struct hard_result *result) {
+    struct hard_problem *problem = &solver->problem;
+    *result = (struct hard_result){0};
+    solver->duration = input->duration;
+    history_rows_free(&solver->pairs.rows); /* of a checkpoint */
+    bodies_make(solver, input);
+    double square = 0.0;
+    for (size_t k = 0; k < input->particles->owned; k++)
+        square = fmax(square, hard_dot(problem->body[k].v, problem->body[k].v));
+    for (size_t k = 0; k < solver->contacts.walls; k++)
+        square = fmax(square, hard_dot(solver->contacts.wall[k].place.velocity,
+                                       solver->contacts.wall[k].place.velocity));
+    comm_max(solver->comm, &square, 1);
+    result->fastest = sqrt(square);
+    const struct hard_pace pace = {.dt = input->dt,
+                                   .duration = input->duration,
+                                   .near = fmin(solver->reach, hard_solver_wants(input, result->fastest)),
+                                   .rest = impact_speed * size_of(input->gravity) * input->dt,
+                                   .sweeps = solver->options.sweeps};
+    hard_contacts_find(&solver->contacts, problem, &solver->pairs, &input->scene, &solver->terms, &pace);
+    hard_border_count(&solver->border, problem);
+    int64_t rows = (int64_t)problem->rows;
+    comm_sum_int(solver->comm, &rows, 1);
+    result->rows = (uint64_t)rows;
+    if (rows > 0)
+        iterate(solver, result);
+    forces_give(solver, input, result);
+    walls_give(solver, input, result);
+    account(solver, input, result);
+    hard_contacts_remember(&solver->contacts, problem, &solver->pairs, &pace);
+}

@@ -1,0 +1,22 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
+/* The state of hard contacts in a run, for the seam to the engine (hard_physics.c) and the observables (hard_rows.c). */
+#ifndef SCREE_HARD_HARD_STATE_H
+#define SCREE_HARD_HARD_STATE_H
+
+#include "physics/hard/hard_solve.h"
+
+struct physics_context;
+
+struct hard {
+    const struct physics_context *context;
+    struct hard_solver solver;
+    struct hard_result last; /* of the last step */
+    int wall_material[WALLS_MAX];
+    double smallest;     /* radius of free grains, over all ranks; INFINITY: none yet */
+    double light, heavy; /* their masses, insertions left out */
+    /* Since this program began. */
+    uint64_t solves, sweeps, unmet; /* unmet: with a residual above the tolerance */
+    double worst;                   /* residual */
+};
+
+#endif

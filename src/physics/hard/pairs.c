@@ -1,0 +1,164 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
+/* From the pair list to coloured pairs with a memory, and back into rows. Read pairs.h first. */
+#include "physics/hard/pairs.h"
+#include "base/memory.h"
+#include <math.h>
+#include <string.h>
+
+static const char what[] = "pairs of contacts";
+
+void hard_pairs_create(struct hard_pairs *pairs, int threads) {
+    *pairs = (struct hard_pairs){.history = history_create(HARD_MEMORY, threads)};
+    pairs->history->odd = HARD_MEMORY_ODD;
+}
+
+static void arrays_free(struct hard_pairs *pairs) {
+    hard_colours_free(&pairs->colours);
+    memory_free(pairs->end);
+    memory_free(pairs->image);
+    memory_free(pairs->number);
+    memory_free(pairs->memory);
+    pairs->end = NULL;
+    pairs->image = NULL;
+    pairs->number = NULL;
+    pairs->memory = NULL;
+}
+
+void hard_pairs_free(struct hard_pairs *pairs) {
+    arrays_free(pairs);
+    history_destroy(&pairs->history);
+    history_rows_free(&pairs->rows);
+}
+
+/* True if this rank solves pair k of the list, which stands in a block of rows or of copies. */
+static bool is_mine(const struct pairlist *list, const struct particles *p, bool newton, size_t k) {
+    uint32_t i = list->i[k], j = pair_partner(list->j[k]);
+    if (i >= p->owned)
+        return false;
+    if (j < p->owned || newton || p->id[i] != p->id[j])
+        return j < p->owned || newton || p->id[i] < p->id[j];
+    for (int d = 0; d < 3; d++) { /* a particle and its own copy */
+        double apart = p->state[j].x[d] + list->shift[pair_image(list->j[k])][d] - p->state[i].x[d];
+        if (apart != 0.0)
+            return apart > 0.0;
+    }
+    return false;
+}
+
+/* Collects the pairs in the order of the list; returns their number. */
+static size_t collect(const struct pairlist *list, const struct particles *p, bool newton, uint32_t (*end)[2],
+                      uint8_t *image, uint32_t *number) {
+    size_t count = 0;
+    for (int b = 0; b < list->block_count; b++) {
+        const struct pair_block *block = &list->blocks[b];
+        for (size_t k = block->first_pair; k < block->end_pair && block->kind != PAIR_BLOCK_MIRROR; k++) {
+            if (!is_mine(list, p, newton, k))
+                continue;
+            end[count][0] = list->i[k];
+            end[count][1] = pair_partner(list->j[k]);
+            image[count] = (uint8_t)pair_image(list->j[k]);
+            number[count++] = (uint32_t)k;
+        }
+    }
+    return count;
+}
+
+/* The place of each pair of the list among the coloured pairs; UINT32_MAX: it has none. */
+static uint32_t *places_of(const struct hard_pairs *pairs, const struct pairlist *list) {
+    uint32_t *place = memory_allocate(list->capacity, sizeof *place, what);
+    memset(place, 0xff, list->capacity * sizeof *place);
+#pragma omp parallel for schedule(static)
+    for (size_t m = 0; m < pairs->colours.pairs; m++)
+        place[pairs->number[m]] = (uint32_t)m;
+    return place;
+}
+
+/* Images of a particle are at least this far apart; INFINITY: there are none. */
+static double images_apart(const struct box *box) {
+    double apart = INFINITY;
+    for (int d = 0; d < 3; d++)
+        if (box->periodic[d])
+            apart = fmin(apart, box->edge[d]);
+    return apart;
+}
+
+/* Gives the pairs what their rows remember. */
+static void attach(struct hard_pairs *pairs, const struct pairlist *list, const struct particles *p,
+                   const struct box *box) {
+    history_attach(pairs->history, &pairs->rows, list, p, images_apart(box));
+    uint32_t *place = places_of(pairs, list);
+#pragma omp parallel for schedule(static, 1)
+    for (int t = 0; t < list->threads; t++) {
+        const struct history_part *part = &pairs->history->part[pairs->history->now][t];
+        for (size_t r = 0; r < part->count; r++) {
+            uint32_t m = place[pairlist_thread_first(list, t) + part->pair[r]];
+            const double *value = part->value + r * HARD_MEMORY;
+            if (m != UINT32_MAX)
+                pairs->memory[m] = (struct hard_memory){value[3], {value[0], value[1], value[2]}};
+        }
+    }
+    memory_free(place);
+    history_rows_free(&pairs->rows);
+}
+
+void hard_pairs_make(struct hard_pairs *pairs, const struct pairlist *list, const struct particles *particles,
+                     const struct box *box, bool newton) {
+    size_t room = list->pair_count;
+    uint32_t(*end)[2] = memory_allocate(room, sizeof *end, what);
+    uint32_t *number = memory_allocate(room, sizeof *number, what);
+    uint8_t *image = memory_allocate(room, 1, what);
+    size_t count = collect(list, particles, newton, end, image, number);
+    arrays_free(pairs);
+    hard_colours_make(&pairs->colours, count, (const uint32_t(*)[2])end, image,
+                      particles->owned + particles->ghosts, particles->id);
+    pairs->end = memory_allocate(count, sizeof *end, what);
+    pairs->image = memory_allocate(count, 1, what);
+    pairs->number = memory_allocate(count, sizeof *number, what);
+    pairs->memory = memory_allocate_zero(count, sizeof *pairs->memory, what);
+#pragma omp parallel for schedule(static)
+    for (size_t m = 0; m < count; m++) {
+        uint32_t k = pairs->colours.order[m];
+        memcpy(pairs->end[m], end[k], sizeof end[k]);
+        pairs->image[m] = image[k];
+        pairs->number[m] = number[k];
+    }
+    memory_free(end);
+    memory_free(image);
+    memory_free(number);
+    if (pairs->rows.start)
+        attach(pairs, list, particles, box);
+}
+
+static bool is_known(const struct hard_memory *memory) {
+    return memory->push != 0.0;
+}
+
+void hard_pairs_detach(struct hard_pairs *pairs, const struct pairlist *list,
+                       const struct particles *particles) {
+    if (pairs->rows.start)
+        return;
+    struct history *history = pairs->history;
+    uint32_t *place = places_of(pairs, list);
+#pragma omp parallel for schedule(static, 1)
+    for (int t = 0; t < (list->block_count ? list->threads : 0); t++) {
+        struct history_part *part = &history->part[1 - history->now][t];
+        size_t first = pairlist_thread_first(list, t), count = 0;
+        size_t end = list->blocks[list->thread_block[t + 1] - 1].end_pair;
+        for (size_t k = first; k < end; k++)
+            count += place[k] != UINT32_MAX && is_known(&pairs->memory[place[k]]);
+        history_reserve(history, t, count);
+        part->count = 0;
+        for (size_t k = first; k < end; k++) {
+            if (place[k] == UINT32_MAX || !is_known(&pairs->memory[place[k]]))
+                continue;
+            const struct hard_memory *memory = &pairs->memory[place[k]];
+            double *value = part->value + part->count * HARD_MEMORY;
+            memcpy(value, memory->rub, sizeof memory->rub);
+            value[3] = memory->push;
+            part->pair[part->count++] = (uint32_t)(k - first);
+        }
+    }
+    memory_free(place);
+    history_flip(history);
+    history_detach(history, list, particles, true, &pairs->rows);
+}

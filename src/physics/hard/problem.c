@@ -1,0 +1,110 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
+/* Sweeps over the rows of a contact problem, colour by colour. Read problem.h and row.h first. */
+#include "physics/hard/problem.h"
+#include "base/memory.h"
+
+/* Fewer rows than this are visited by one thread: barriers would cost more. */
+enum { ROWS_ALONE = 1500 };
+
+void hard_problem_free(struct hard_problem *problem) {
+    memory_free(problem->body);
+    memory_free(problem->row);
+    memory_free(problem->colour);
+    memory_free(problem->cut);
+    *problem = (struct hard_problem){0};
+}
+
+void *hard_problem_grow(void *array, size_t *room, size_t count, size_t size) {
+    if (count <= *room)
+        return array;
+    *room = count + count / 4 + 64;
+    return memory_resize(array, *room, size, "contact problem");
+}
+
+void hard_problem_reserve(struct hard_problem *problem, size_t bodies, size_t rows, size_t cuts) {
+    problem->body = hard_problem_grow(problem->body, &problem->body_room, bodies, sizeof *problem->body);
+    problem->row = hard_problem_grow(problem->row, &problem->row_room, rows, sizeof *problem->row);
+    problem->cut = hard_problem_grow(problem->cut, &problem->cut_room, cuts + 1, sizeof *problem->cut);
+}
+
+void hard_problem_begin(struct hard_problem *problem, double dt) {
+    size_t room = (size_t)problem->colour_room;
+    hard_problem_reserve(problem, 0, 0, 0);
+    problem->colour = hard_problem_grow(problem->colour, &room, 1, sizeof *problem->colour);
+    problem->colour_room = (int)room;
+    problem->dt = dt;
+    problem->colours = 0;
+    problem->colour[0] = problem->rows = problem->cuts = problem->cut[0] = 0;
+}
+
+void hard_problem_end_colour(struct hard_problem *problem) {
+    size_t room = (size_t)problem->colour_room, next = (size_t)++problem->colours;
+    problem->colour = hard_problem_grow(problem->colour, &room, next + 1, sizeof *problem->colour);
+    problem->colour_room = (int)room;
+    problem->colour[next] = problem->cuts;
+}
+
+/* What happens to the rows of a cut. */
+typedef void visitor(struct hard_problem *problem, struct hard_row *row);
+
+static void visit_all(struct hard_problem *problem, visitor *visit) {
+#pragma omp parallel if (problem->rows >= ROWS_ALONE)
+    for (int c = 0; c < problem->colours; c++) {
+#pragma omp for schedule(static)
+        for (size_t k = problem->colour[c]; k < problem->colour[c + 1]; k++)
+            for (size_t r = problem->cut[k]; r < problem->cut[k + 1]; r++)
+                visit(problem, &problem->row[r]);
+    }
+}
+
+static void warm(struct hard_problem *problem, struct hard_row *row) {
+    hard_apply(row, &problem->body[row->body[0]], &problem->body[row->body[1]], row->p, row->q);
+}
+
+void hard_problem_warm(struct hard_problem *problem) {
+    visit_all(problem, warm);
+}
+
+static void sweep(struct hard_problem *problem, struct hard_row *row) {
+    hard_visit(row, problem->dt, &problem->body[row->body[0]], &problem->body[row->body[1]]);
+}
+
+void hard_problem_sweep(struct hard_problem *problem) {
+    visit_all(problem, sweep);
+}
+
+static void rebound(struct hard_problem *problem, struct hard_row *row) {
+    if (hard_rebounds(row))
+        hard_rebound(row, &problem->body[row->body[0]], &problem->body[row->body[1]]);
+}
+
+bool hard_problem_rebound(struct hard_problem *problem) {
+    bool any = false;
+    for (size_t r = 0; r < problem->rows && !any; r++)
+        any = hard_rebounds(&problem->row[r]);
+    if (any)
+        visit_all(problem, rebound);
+    return any;
+}
+
+void hard_problem_residual(const struct hard_problem *problem, double sum[3]) {
+    double(*part)[3] = memory_allocate_zero(problem->cuts, sizeof *part, "residual of contacts");
+#pragma omp parallel for schedule(static) if (problem->rows >= ROWS_ALONE)
+    for (size_t k = 0; k < problem->cuts; k++)
+        for (size_t r = problem->cut[k]; r < problem->cut[k + 1]; r++) {
+            struct hard_row row = problem->row[r];
+            double p, q[3], square;
+            hard_wish(&row, problem->dt, &problem->body[row.body[0]], &problem->body[row.body[1]], &p, q);
+            square = (p - row.p) * (p - row.p);
+            for (int d = 0; d < 3; d++)
+                square += (q[d] - row.q[d]) * (q[d] - row.q[d]);
+            part[k][0] += square;
+            part[k][1] += row.p * row.p + hard_dot(row.q, row.q);
+            part[k][2] += p * p + hard_dot(q, q);
+        }
+    sum[0] = sum[1] = sum[2] = 0.0;
+    for (size_t k = 0; k < problem->cuts; k++)
+        for (int c = 0; c < 3; c++)
+            sum[c] += part[k][c];
+    memory_free(part);
+}

@@ -1,0 +1,520 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
+/* Heat as a physics: grains exchange heat over pairs and with walls, and warm up (engine/physics.h). Read heat.h
+ * first.
+ *
+ * Explicit Euler steps: T(n+1) = T(n) + dt flow(n) / (m c). The flow is a sum over pairs like a force: it is
+ * summed where forces are, sent back from copies with them, cleared when the temperature takes it. Where the contact radius
+ * depends on what contacts remember, a pass after the forces adds what flows through contacts. */
+#include "physics/heat/heat.h"
+#include "physics/grains/laws/law_grip.h"
+#include "physics/grains/grains.h"
+#include "kernel/particles/material.h"
+#include "base/memory.h"
+#include "engine/physics.h"
+#include "base/numbers.h"
+#include "physics/heat/heat_fields.h"
+#include "physics/heat/heat_own.h"
+#include "physics/heat/heat_work.h"
+#include "kernel/particles/groups.h"
+#include "kernel/pairs/walk.h"
+#include "kernel/particles/kinds.h"
+#include <math.h>
+#include <string.h>
+
+struct heat {
+    const struct heat_options *options;
+    const struct physics_context *context;
+    struct walk *walk;
+    struct walk_work pairs;
+    struct walk *contact_walk; /* NULL: a contact radius follows from the overlap alone */
+    struct walk_work contacts;
+    double reach; /* of contacts beyond touch, at most, from walls */
+    double conductivity[LAW_MATERIALS_MAX], capacity[LAW_MATERIALS_MAX];
+    double narrow;                           /* contact radius over that of the scene's grains */
+    const struct heat_wall *wall[WALLS_MAX]; /* by wall; NULL: no heat */
+    struct numbers course[WALLS_MAX];        /* by wall: temperature over time; no rows: as the entry says */
+    int wall_material[WALLS_MAX];
+    double *temperature, *flow, *wall_flow; /* of the fields, since the last rebuild */
+    const uint8_t *material;
+    bool conductance;                /* sums of H instead of flows */
+    struct heat_work *work;          /* NULL: dissipation makes no heat */
+    double (*wall_power)[WALLS_MAX]; /* [thread][wall]: power into grains in the last step, W */
+    int64_t *strange; /* [thread]: 1 + id of a grain whose temperature has become not finite, 0: none */
+};
+
+/* The contact radius of two spheres, or of one and a wall (an infinite radius), `gap` apart (overlap: negative). */
+static double contact_radius(const struct heat *heat, const int material[2], const double radius[2],
+                             double effective, double gap, const double *record) {
+    const struct law *law = grains_contact(heat->context)->law;
+    struct law_surfaces surfaces = {law_pair_of(law, material[0], material[1]),
+                                    law_extra_of(law, material[0], material[1]),
+                                    {radius[0], radius[1]},
+                                    effective};
+    return law_grip_radius(law, &surfaces, -gap, record);
+}
+
+/* The power over one kelvin through a contact of radius a. */
+static double through_contact(const struct heat *heat, const int material[2], double a) {
+    double one = heat->conductivity[material[0]], other = heat->conductivity[material[1]];
+    return 4.0 * one * other / (one + other) * heat->narrow * a;
+}
+
+/* The power over one kelvin through gas. */
+static double through_gas(const struct heat *heat, double effective, double gap) {
+    const struct heat_gas *gas = &heat->options->gas;
+    if (!(gas->conductivity > 0.0 && gap < gas->distance))
+        return 0.0;
+    return 2.0 * M_PI * gas->conductivity * effective * log(gas->distance / fmax(gap, gas->roughness));
+}
+
+/* A near pair of the batch. */
+struct heat_pair {
+    int material[2];
+    double radius[2], effective, gap;
+};
+
+static struct heat_pair pair_of(const struct heat *heat, const struct walk_batch *batch, int k) {
+    const double *d = batch->record[k], r = batch->radius[0][k], other = batch->radius[1][k];
+    return (struct heat_pair){
+        .material = {material_of(heat->material, batch->i[k]), material_of(heat->material, batch->j[k])},
+        .radius = {r, other},
+        .effective = r * other / (r + other),
+        .gap = sqrt(d[0] * d[0] + d[1] * d[1] + d[2] * d[2]) - d[3]};
+}
+
+/* The heat of pair k of a batch that exchanges h over one kelvin. */
+static void flow_of(const struct heat *heat, struct walk_batch *batch, int k, double h) {
+    double over = heat->conductance ? 1.0 : heat->temperature[batch->j[k]] - heat->temperature[batch->i[k]];
+    batch->out[0][k] = h * over;
+    batch->out[1][k] = heat->conductance ? h : -h * over;
+}
+
+static void compute(const struct walk_task *task, struct walk_batch *batch) {
+    const struct heat *heat = task->work->context;
+    for (int k = 0; k < batch->padded; k++) {
+        struct heat_pair pair = pair_of(heat, batch, k);
+        double h = through_gas(heat, pair.effective, pair.gap);
+        if (heat->contact_walk == NULL && pair.gap < 0.0)
+            h += through_contact(
+                heat, pair.material,
+                contact_radius(heat, pair.material, pair.radius, pair.effective, pair.gap, NULL));
+        flow_of(heat, batch, k, h);
+    }
+}
+
+/* Contacts that remember their state. Gas between surfaces that touch across a gap, a neck, is as between others that
+ * touch. */
+static void compute_contacts(const struct walk_task *task, struct walk_batch *batch) {
+    const struct heat *heat = task->work->context;
+    const struct force_context *contact = grains_contact(heat->context);
+    const struct history_part *part = history_part_of(contact->history, contact->list, task->pair_base);
+    for (int k = 0; k < batch->count; k++) {
+        struct heat_pair pair = pair_of(heat, batch, k);
+        const double *record = history_record(contact->history, part, batch->pair[k]);
+        double a = contact_radius(heat, pair.material, pair.radius, pair.effective, pair.gap, record);
+        double h = through_contact(heat, pair.material, a);
+        if (a > 0.0 && pair.gap > 0.0)
+            h += through_gas(heat, pair.effective, 0.0) - through_gas(heat, pair.effective, pair.gap);
+        flow_of(heat, batch, k, h);
+    }
+}
+
+static const struct walk_client contacts_client = {.name = "heat_contacts",
+                                                   .memory = sizeof(struct walk_batch),
+                                                   .scatter = WALK_VALUES,
+                                                   .values = 1,
+                                                   .compute = compute_contacts};
+
+static const struct walk_client client = {.name = "heat",
+                                          .memory = sizeof(struct walk_batch),
+                                          .scatter = WALK_VALUES,
+                                          .values = 1,
+                                          .compute = compute};
+
+static double range(const void *context, int kind_a, double radius_a, int kind_b, double radius_b) {
+    const struct heat_options *options = context;
+    (void)radius_a, (void)radius_b;
+    if (kind_a != KIND_GRAIN || kind_b != KIND_GRAIN)
+        return -INFINITY;
+    return options->gas.conductivity > 0.0 ? options->gas.distance : 0.0;
+}
+
+/* Reads the temperature of a wall over time. */
+static bool course_read(struct numbers *course, const char *path, struct error *error) {
+    bool good = numbers_read(course, path, 2, error) && numbers_check_times(course, path, "t T", error);
+    for (size_t row = 0; good && row < course->rows; row++)
+        good = course->value[2 * row + 1] >= 0 ||
+               error_set(error, ERROR_USER, "%s:%u: the temperature %g is below 0 K", path, course->line[row],
+                         course->value[2 * row + 1]);
+    return good;
+}
+
+static bool check_wall(const struct physics_context *context, int k, struct error *error) {
+    const struct heat_options *o = context->options;
+    const struct heat_wall *wall = &o->wall[k];
+    char key[64];
+    snprintf(key, sizeof key, "heat.walls[%d]", k);
+    if (!isnan(wall->temperature) + !isnan(wall->flux) + (wall->table[0] != '\0') != 1)
+        return scene_fail(context->scene, error, key, "needs one of temperature, flux and table");
+    for (int before = 0; before < k; before++)
+        if (o->wall[before].wall == wall->wall)
+            return scene_fail(context->scene, error, key, "a second entry for wall '%s'",
+                              context->scene->wall[wall->wall].name);
+    struct numbers course = {0};
+    bool good = wall->table[0] == '\0' || course_read(&course, wall->table, error);
+    numbers_free(&course);
+    return good;
+}
+
+/* Refuses sections that leave a number open. */
+static bool check(const struct physics_context *context, struct error *error) {
+    const struct heat_options *o = context->options;
+    const struct scene *scene = context->scene;
+    char key[64];
+    bool named[LAW_MATERIALS_MAX] = {false}, rest = false;
+    if (scene->materials == 0)
+        return scene_fail(scene, error, "heat", "needs `materials`: grains that touch");
+    for (int k = 0; k < o->materials; k++) {
+        bool *is = o->material[k].material < 0 ? &rest : &named[o->material[k].material];
+        snprintf(key, sizeof key, "heat.materials[%d]", k);
+        if (*is)
+            return scene_fail(scene, error, key, "a second entry for the same material");
+        *is = true;
+    }
+    for (int m = 0; m < scene->materials; m++)
+        if (!named[m] && !rest)
+            return scene_fail(
+                scene, error, "heat.materials",
+                "material '%s' is missing (an entry without `material` serves all that are not named)",
+                scene->material[m].name);
+    for (int k = 0; k < o->walls; k++)
+        if (!check_wall(context, k, error))
+            return false;
+    if (o->gas.conductivity > 0 && !(o->gas.roughness < o->gas.distance))
+        return scene_fail(scene, error, "heat.gas", "needs a roughness and a distance above the roughness");
+    return true;
+}
+
+static bool needs_walls(const struct physics_context *context) {
+    return grains_walls(context) && ((const struct heat_options *)context->options)->walls > 0;
+}
+
+static void *create(const struct physics_context *context) {
+    struct heat *heat = memory_allocate_zero(1, sizeof *heat, "heat");
+    const struct heat_options *o = heat->options = context->options;
+    heat->context = context;
+    heat->narrow = 1.0 / cbrt(o->softening);
+    for (int pass = 0; pass < 2; pass++) /* entries with a name go over the one without */
+        for (int k = 0; k < o->materials; k++)
+            for (int m = 0; m < context->scene->materials; m++)
+                if (o->material[k].material == (pass ? m : -1)) {
+                    heat->conductivity[m] = o->material[k].conductivity;
+                    heat->capacity[m] = o->material[k].capacity;
+                }
+    for (int k = 0; k < o->walls; k++) {
+        struct error none = {0};
+        heat->wall[o->wall[k].wall] = &o->wall[k];
+        if (o->wall[k].table[0] && !course_read(&heat->course[o->wall[k].wall], o->wall[k].table, &none))
+            error_fatal("%s", none.text); /* a file that has changed since the check */
+    }
+    for (int w = 0; w < context->scene->walls; w++)
+        heat->wall_material[w] = context->scene->wall[w].material;
+    if (needs_walls(context))
+        walls_visit_fixed(grains_walls(context));
+    heat->wall_power = memory_allocate_zero((size_t)context->threads, sizeof *heat->wall_power, "heat");
+    heat->strange = memory_allocate_zero((size_t)context->threads, sizeof *heat->strange, "heat");
+    heat->work = o->dissipation > 0.0 ? heat_work_create(context) : NULL;
+    heat->walk = walk_create(&client, context->threads);
+    heat->pairs = (struct walk_work){.context = heat,
+                                     .particles = context->particles,
+                                     .stride = 1,
+                                     .radii = true,
+                                     .range = range(o, KIND_GRAIN, 0, KIND_GRAIN, 0),
+                                     .ordered = context->ordered};
+    if (law_grip_radius_recalls(grains_contact(context)->law)) {
+        heat->contact_walk = walk_create(&contacts_client, context->threads);
+        heat->contacts = heat->pairs;
+    }
+    return heat;
+}
+
+static void destroy(void *self) {
+    struct heat *heat = self;
+    walk_destroy(&heat->walk);
+    walk_destroy(&heat->contact_walk);
+    heat_work_destroy(&heat->work);
+    for (int w = 0; w < WALLS_MAX; w++)
+        numbers_free(&heat->course[w]);
+    memory_free(heat->strange);
+    memory_free(heat->wall_power);
+    memory_free(heat);
+}
+
+/* Grains that are new, and their copies, get the temperature of the start. */
+static void begin(struct heat *heat, const struct particles *particles) {
+    for (size_t i = 0; i < particles->owned + particles->ghosts; i++)
+        if (isnan(heat->temperature[i]) && heat_has(particles, i))
+            heat->temperature[i] = heat->options->temperature;
+}
+
+static void take_fields(struct heat *heat, const struct particles *particles) {
+    heat->temperature = heat_temperature(particles);
+    heat->flow = heat_flow(particles);
+    heat->wall_flow = heat_wall_flow(particles);
+    heat->material = material_numbers(particles);
+    heat->pairs.target = heat->contacts.target = heat->flow;
+}
+
+/* Takes the list of contacts, and how far contacts with walls reach. */
+static void take_contacts(struct heat *heat, const struct physics_context *context) {
+    double radius = 0.0;
+    for (int c = 0; c < context->classes->count; c++)
+        if (context->classes->kind[c] == KIND_GRAIN)
+            radius = fmax(radius, context->classes->radius_max[c]);
+    heat->contacts.list = grains_contact(context)->list;
+    heat->contacts.range = grains_contact(context)->range;
+    heat->reach = radius > 0.0 ? fmax(law_range(grains_contact(context)->law, radius, INFINITY), 0.0) : 0.0;
+    walk_prepare(heat->contact_walk, &heat->contacts);
+}
+
+static void rebuilt(const struct physics_context *context) {
+    struct heat *heat = context->self;
+    take_fields(heat, context->particles);
+    begin(heat, context->particles);
+    heat->pairs.list = context->list[0];
+    walk_prepare(heat->walk, &heat->pairs);
+    if (heat->contact_walk)
+        take_contacts(heat, context);
+    if (heat->work)
+        heat_work_rebuilt(heat->work);
+}
+
+/* Takes the flow of the last step. */
+static double warm(const struct physics_context *context, int thread, size_t first, size_t last,
+                   int size_class) {
+    struct heat *heat = context->self;
+    double poison = 0.0; /* NaN once a temperature is not finite */
+    if (context->classes->kind[size_class] != KIND_GRAIN)
+        return 0.0;
+    for (size_t i = first; i < last; i++) {
+        double capacity = heat->capacity[material_of(heat->material, i)] * groups_mass(context->particles, i);
+        heat->temperature[i] += context->clock->dt * heat->flow[i] / capacity;
+        if (heat->work)
+            heat->temperature[i] += heat->options->dissipation * heat_work_take(heat->work, i) / capacity;
+        heat->flow[i] = heat->wall_flow[i] = 0.0;
+        poison += 0.0 * heat->temperature[i];
+    }
+    for (size_t i = first; isnan(poison) && i < last; i++)
+        if (!isfinite(heat->temperature[i]))
+            heat->strange[thread] = 1 + context->particles->id[i];
+    return 0.0;
+}
+
+/* A temperature that is not finite stops the run. */
+static void guard(const struct physics_context *context, struct error *error) {
+    const struct heat *heat = context->self;
+    for (int t = 0; t < context->threads; t++)
+        if (heat->strange[t] != 0)
+            error_set(error, ERROR_PHYSICS,
+                      "guards.nan: the temperature of particle %lld is not finite at step %llu, t = %.9g",
+                      (long long)heat->strange[t] - 1, (unsigned long long)context->clock->step,
+                      context->clock->time);
+}
+
+static void conduct(const struct physics_context *context, int thread, int block) {
+    struct heat *heat = context->self;
+    walk_block(heat->walk, &heat->pairs, thread, block);
+}
+
+static void abandon(const struct physics_context *context) {
+    struct heat *heat = context->self;
+    walk_abandon(heat->walk, &heat->pairs);
+    memset(heat->flow, 0, (context->particles->owned + context->particles->ghosts) * sizeof *heat->flow);
+}
+
+/* A thread on its way through the grains near walls. */
+struct at_walls {
+    struct heat *heat;
+    double *power;       /* by wall */
+    double *temperature; /* by wall, now; NAN: a flux */
+};
+
+/* The temperature of a wall at the time of the step in progress. */
+static double temperature_now(const struct heat *heat, int wall) {
+    double value = heat->wall[wall] ? heat->wall[wall]->temperature : NAN;
+    if (heat->course[wall].rows > 0)
+        numbers_at(&heat->course[wall], heat->context->clock->time, &value);
+    return value;
+}
+
+/* A grain that touches a wall, or is near one: called by the one thread that has the grain. */
+static void at_wall(void *self, const struct wall_place *place) {
+    const struct at_walls *at = self;
+    size_t i = place->particle;
+    int wall = place->wall;
+    double gap = place->gap;
+    const double *record = place->record;
+    struct heat *heat = at->heat;
+    const struct heat_wall *given = heat->wall[wall];
+    double radius = heat->context->particles->state[i].radius, flow = 0.0;
+    if (given == NULL)
+        return;
+    const int material[2] = {material_of(heat->material, i), heat->wall_material[wall]};
+    double a = contact_radius(heat, material, (double[2]){radius, INFINITY}, radius, gap, record);
+    if (!isnan(at->temperature[wall])) {
+        flow = through_contact(heat, material, a) + through_gas(heat, radius, a > 0.0 ? fmin(gap, 0.0) : gap);
+        flow *= heat->conductance ? 1.0 : at->temperature[wall] - heat->temperature[i];
+    } else if (a > 0.0 && !heat->conductance) {
+        flow = given->flux * M_PI * radius * radius;
+    }
+    heat->flow[i] += flow;
+    heat->wall_flow[i] += flow;
+    at->power[wall] += flow;
+}
+
+static void at_walls(const struct physics_context *context, int thread) {
+    struct heat *heat = context->self;
+    double temperature[WALLS_MAX];
+    struct at_walls at = {heat, heat->wall_power[thread], temperature};
+    for (int w = 0; w < context->scene->walls; w++)
+        temperature[w] = temperature_now(heat, w);
+    memset(at.power, 0, sizeof heat->wall_power[thread]);
+    walls_visit(grains_walls(context), context->particles, thread, fmax(heat->pairs.range, heat->reach),
+                at_wall, &at);
+}
+
+static void finish(const struct physics_context *context) {
+    struct heat *heat = context->self;
+    walk_finish(heat->walk, &heat->pairs);
+}
+
+static bool needs_contacts(const struct physics_context *context) {
+    return law_grip_radius_recalls(grains_contact(context)->law);
+}
+
+static void conduct_contacts(const struct physics_context *context) {
+    struct heat *heat = context->self;
+    walk_run(heat->contact_walk, &heat->contacts);
+}
+
+static bool needs_work(const struct physics_context *context) {
+    return ((const struct heat_options *)context->options)->dissipation > 0.0;
+}
+
+static void dissipate(const struct physics_context *context) {
+    const struct heat *heat = context->self;
+    heat_work_finish(heat->work);
+}
+
+double heat_wall_power(const struct heat *heat, int wall) {
+    double power = 0.0;
+    for (int t = 0; t < heat->context->threads; t++)
+        power += heat->wall_power[t][wall];
+    return power;
+}
+
+double heat_energy(const struct heat *heat, size_t i) {
+    const struct particles *p = heat->context->particles;
+    double energy = heat->capacity[material_of(heat->material, i)] * groups_mass(p, i) * heat->temperature[i];
+    energy += heat->context->clock->dt * heat->flow[i];
+    return heat->work ? energy + heat->options->dissipation * heat_work_lost(heat->work, i) : energy;
+}
+
+/* Puts the sums of H into the flows of the owned grains. */
+static void conductances(const struct physics_context *context, struct heat *heat) {
+    struct field_list fields = fields_one(heat_flow_field(context->particles));
+    heat->conductance = true;
+    walk_run(heat->walk, &heat->pairs);
+    if (heat->contact_walk)
+        walk_run(heat->contact_walk, &heat->contacts);
+    for (int t = 0; needs_walls(context) && t < context->threads; t++)
+        at_walls(context, t);
+    heat->conductance = false;
+    if (context->ghosts)
+        ghosts_reverse(context->ghosts, context->particles, &fields);
+}
+
+/* Steps up to m c / sum of H are stable and monotonic: no grain gets hotter than its hottest neighbour. */
+static double limit(const struct physics_context *context, double most) {
+    struct heat *heat = context->self;
+    const struct particles *p = context->particles;
+    size_t all = p->owned + p->ghosts;
+    if (context->list[0] == NULL || heat->pairs.list == NULL)
+        return most;
+    double *kept = memory_allocate(2 * all, sizeof *kept, "heat flows");
+    memcpy(kept, heat->flow, all * sizeof *kept);
+    memcpy(kept + all, heat->wall_flow, all * sizeof *kept);
+    memset(heat->flow, 0, all * sizeof *kept);
+    double(*power)[WALLS_MAX] = memory_allocate((size_t)context->threads, sizeof *power, "heat flows");
+    memcpy(power, heat->wall_power, (size_t)context->threads * sizeof *power);
+    conductances(context, heat);
+    memcpy(heat->wall_power, power, (size_t)context->threads * sizeof *power);
+    memory_free(power);
+    for (size_t i = 0; i < p->owned; i++)
+        if (heat_has(p, i) && heat->flow[i] > 0.0)
+            most = fmin(most,
+                        heat->capacity[material_of(heat->material, i)] * groups_mass(p, i) / heat->flow[i]);
+    memcpy(heat->flow, kept, all * sizeof *kept);
+    memcpy(heat->wall_flow, kept + all, all * sizeof *kept);
+    memory_free(kept);
+    comm_min(context->comm, &most, 1);
+    return most;
+}
+
+static const struct physics_pass passes[] = {
+    {.name = "warm",
+     .does = "temperatures take the flow of heat",
+     .stage = PASS_MOVE,
+     .reads = "heat_flow inverse_mass",
+     .writes = "temperature",
+     .rows = warm},
+    {.name = "conduct",
+     .does = "flow of heat between grains",
+     .stage = PASS_PAIRS,
+     .reads = "position radius temperature",
+     .writes = "heat_flow",
+     .block = conduct,
+     .abandon = abandon},
+    {.name = "heat_walls",
+     .why = "heat.walls",
+     .does = "flow of heat from walls",
+     .stage = PASS_SHARES,
+     .timer = "conduct",
+     .reads = "position radius temperature",
+     .writes = "heat_flow",
+     .needed = needs_walls,
+     .share = at_walls},
+    {.name = "heat_finish", .stage = PASS_CLOSE, .timer = "conduct", .writes = "heat_flow", .whole = finish},
+    {.name = "heat_contacts",
+     .why = "contacts whose radius depends on what they remember",
+     .does = "flow of heat through contacts that remember their state",
+     .stage = PASS_CLOSE,
+     .timer = "conduct",
+     .reads = "position radius temperature",
+     .writes = "heat_flow",
+     .needed = needs_contacts,
+     .whole = conduct_contacts},
+    {.name = "dissipate",
+     .why = "heat.dissipation",
+     .does = "energy that contacts lose becomes heat",
+     .stage = PASS_CLOSE,
+     .reads = "position radius",
+     .writes = "heat_work",
+     .needed = needs_work,
+     .whole = dissipate}};
+
+static const struct physics_search search = {.interactions = 1,
+                                             .interaction = {{.name = "heat", .range = range}}};
+static const struct physics_limit limits = {.of = limit};
+
+const struct physics heat_physics = {.name = "heat",
+                                     .box_moves = true,
+                                     .passes = sizeof passes / sizeof passes[0],
+                                     .pass = passes,
+                                     .check = check,
+                                     .create = create,
+                                     .destroy = destroy,
+                                     .rebuilt = rebuilt,
+                                     .search = &search,
+                                     .limit = &limits,
+                                     .guard = guard};
