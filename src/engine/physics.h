@@ -306,7 +306,7 @@ struct physics_record {
     /* Refuses a checkpoint of another scene. */
     bool (*fits)(const struct physics_context *context, const char *path,
                  const struct checkpoint_loaded *loaded, struct error *error);
-    /* Takes its part, after all restart numbers; fills the rows of the obstacles. */
+    /* Takes its part, after all restart numbers and before its rows; fills the rows of the obstacles. */
     void (*resume)(const struct physics_context *context, struct checkpoint_loaded *loaded,
                    struct rowset *rows);
 };

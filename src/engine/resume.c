@@ -124,7 +124,8 @@ bool resume_write(struct simulation *s, const struct output_run *run, const char
                                     .scene = run->scene,
                                     .lineage = &s->lineage};
     PHYSICS_EACH (active, &s->physics, record)
-        active->row->record->save(&active->context, &rows.walls, &checkpoint);
+        if (active->row->record->save)
+            active->row->record->save(&active->context, &rows.walls, &checkpoint);
     numbers_put(s, &checkpoint.numbers, &own);
     numbers_list(s, &own, &restart);
     bool good = checkpoint_write(s->comm, run->directory, suffix, &checkpoint,

@@ -41,7 +41,7 @@ static bool check_physics(const struct simulation *s, const char *path,
                           const struct checkpoint_loaded *loaded, struct error *error) {
     const int components = s->search.history ? s->search.history->components : 0;
     PHYSICS_EACH (active, &s->physics, record)
-        if (!active->row->record->fits(&active->context, path, loaded, error))
+        if (active->row->record->fits && !active->row->record->fits(&active->context, path, loaded, error))
             return false;
     return loaded->history_components == components ||
            error_set(error, ERROR_USER,

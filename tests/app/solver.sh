@@ -64,6 +64,9 @@ check 'contacts are listed' weights
 check 'a run with a checkpoint' run_scene 1 bed.yaml whole --set threads=1 --set output.checkpoint.every=800
 check 'a run that goes on from it' run_scene 1 bed.yaml rest --set threads=1 --resume whole/checkpoint-800.h5
 check 'the same bits' same whole rest
+check 'and another wall before the floor' run_scene 1 bed.yaml lid --set threads=1 --resume whole/checkpoint-800.h5 \
+    --set 'walls=[{shape: plane, name: lid, point: [0, 0, 39 mm], normal: [0, 0, -1]}, {shape: plane, name: floor, point: [0, 0, 0], normal: [0, 0, 1]}]'
+check 'the same bits' same whole lid
 check 'on two ranks' run_scene 2 bed.yaml rest2 --set threads=1 --resume whole/checkpoint-800.h5
 check 'it rests' rests rest2
 
@@ -126,6 +129,8 @@ guarded() {
 check 'a residual that is not met ends the run if the scene says so' guarded
 proposes() { "$scree" check bed.yaml --set step.dt=~ >said 2>&1; holds said 'solver of contacts'; }
 check 'check proposes a step' proposes
+ablates() { "$scree" ablate bed.yaml -o ablated --error --only stiffness >said 2>&1; [ $? = 2 ] && holds said '--only stiffness: allowed in this scene: step, integrator, law, skin'; }
+check 'ablate does not soften rigid grains' ablates
 soft() { "$scree" check bed.yaml --set contact.solver.kappa=1e-3 >said 2>&1; holds said 'NOTE: less than three times the expected speed' && holds said 'NOTE: more than 0.01'; }
 check 'check says that a medium is too soft' soft
 finish

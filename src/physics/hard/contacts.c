@@ -307,8 +307,29 @@ void hard_contacts_remember(struct hard_contacts *contacts, const struct hard_pr
 }
 
 /* A feature of a wall as the partner of a row. */
-static int64_t partner_of(const struct hard_wall_memory *past) {
-    return -1 - past->wall - (int64_t)WALLS_MAX * past->feature;
+static int64_t partner_of(int wall, int32_t feature) {
+    return -1 - wall - (int64_t)WALLS_MAX * feature;
+}
+
+static int wall_of(const struct history_row *row) {
+    return (int)((-1 - row->partner) % WALLS_MAX);
+}
+
+static int32_t feature_of(const struct history_row *row) {
+    return (int32_t)((-1 - row->partner) / WALLS_MAX);
+}
+
+void hard_contacts_rename(struct history_rows *rows, const int *now, int walls, size_t owned) {
+    for (size_t r = 0; rows->start && r < rows->start[owned]; r++) {
+        struct history_row *row = &rows->row[r];
+        if (row->partner >= 0)
+            continue;
+        int wall = wall_of(row) < walls ? now[wall_of(row)] : -1;
+        if (wall >= 0)
+            row->partner = partner_of(wall, feature_of(row));
+        else
+            row->value[3] = 0.0;
+    }
 }
 
 void hard_contacts_detach(const struct hard_contacts *contacts, struct hard_pairs *pairs,
@@ -330,7 +351,7 @@ void hard_contacts_detach(const struct hard_contacts *contacts, struct hard_pair
             const struct hard_wall_memory *past = &contacts->past[p];
             const double *rub = past->memory.rub;
             all.row[all.count++] = (struct history_row){.id = particles->id[k],
-                                                        .partner = partner_of(past),
+                                                        .partner = partner_of(past->wall, past->feature),
                                                         .value = {rub[0], rub[1], rub[2], past->memory.push}};
         }
     }
@@ -346,14 +367,14 @@ void hard_contacts_attach(struct hard_contacts *contacts, const struct hard_pair
     for (size_t k = 0; rows->start && k < particles->owned; k++)
         for (size_t r = rows->start[k]; r < rows->start[k + 1]; r++) {
             const struct history_row *row = &rows->row[r];
-            if (row->partner >= 0)
+            if (row->partner >= 0 || !(row->value[3] > 0.0)) /* of a pair, or of a wall that is gone */
                 continue;
             contacts->past = hard_problem_grow(contacts->past, &contacts->past_room, contacts->pasts + 1,
                                                sizeof *contacts->past);
             contacts->past[contacts->pasts++] = (struct hard_wall_memory){
                 .particle = (uint32_t)k,
-                .wall = (int32_t)((-1 - row->partner) % WALLS_MAX),
-                .feature = (int32_t)((-1 - row->partner) / WALLS_MAX),
+                .wall = wall_of(row),
+                .feature = feature_of(row),
                 .memory = {row->value[3], {row->value[0], row->value[1], row->value[2]}}};
         }
 }

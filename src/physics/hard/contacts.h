@@ -90,6 +90,8 @@ void hard_contacts_find(struct hard_contacts *contacts, struct hard_problem *pro
  * before hard_pairs_make. */
 void hard_contacts_detach(const struct hard_contacts *contacts, struct hard_pairs *pairs,
                           const struct pairlist *list, const struct particles *particles);
+/* Gives the rows of walls the numbers that these have now, by the old number; -1: the wall is gone. */
+void hard_contacts_rename(struct history_rows *rows, const int *now, int walls, size_t owned);
 void hard_contacts_attach(struct hard_contacts *contacts, const struct hard_pairs *pairs,
                           const struct particles *particles);
 

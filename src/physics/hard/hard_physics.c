@@ -300,6 +300,16 @@ static void restart(const struct physics_context *context, struct restart *list)
     restart_add(list, RESTART_REAL, true, &hard->solver.reach, "reach of solved contacts");
 }
 
+/* Finds walls by their names: the scene may have other walls, or the same in another order. */
+static void resume(const struct physics_context *context, struct checkpoint_loaded *loaded,
+                   struct rowset *rows) {
+    int now[WALLS_MAX];
+    (void)rows;
+    for (int w = 0; w < loaded->walls; w++)
+        now[w] = scene_wall(context->scene, loaded->wall[w].name);
+    hard_contacts_rename(&loaded->carried[PHYSICS_hard], now, loaded->walls, context->particles->owned);
+}
+
 static void report(const struct physics_context *context, struct report *report) {
     const struct hard *hard = context->self;
     report->solver[report->solvers++] = (struct report_solver){.name = "contacts",
@@ -373,6 +383,7 @@ static const struct physics_rows memory = {
 static const struct physics_limit limits = {
     .of = limit,
     .why = "a grain would move by half of the smallest radius in a step, or fall by a two-hundredth of it"};
+static const struct physics_record record = {.resume = resume};
 static const struct physics_shown shown = {.report = report};
 
 const struct physics hard_physics = {.name = "hard",
@@ -388,4 +399,5 @@ const struct physics hard_physics = {.name = "hard",
                                      .search = &search,
                                      .rows = &memory,
                                      .limit = &limits,
-                                     .shown = &shown};
+                                     .shown = &shown,
+                                     .record = &record};
