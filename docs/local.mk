@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 EXTRA_DIST += docs/architecture.md docs/building.md docs/features.md docs/scene.md
 EXTRA_DIST += docs/indexes.md docs/images/penetration.png
-EXTRA_DIST += docs/physics.md docs/user-law.md docs/fluid.md \
+EXTRA_DIST += docs/physics.md docs/user-law.md docs/fluid.md docs/fluid-limits.md docs/fluid-method.md \
 	docs/images/crushing.png docs/images/dumbbells.png docs/images/fluid-cavity.png docs/images/fluid-electroosmosis.png \
 	docs/images/fluid-spheres.png docs/images/fluid-vortices.png docs/images/fluidised-bed.png docs/images/gate.png docs/images/heated-drum.png \
 	docs/images/blade.png docs/images/repose.png docs/images/wet-pile.png

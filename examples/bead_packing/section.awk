@@ -73,8 +73,8 @@ END {
     }
     print "\nBelow eight spacings a diameter a single pressure drop scatters by about 2 %, and a limit from two of them by three times as much.\nThe limit supposes that the flow at a given pressure drop approaches its limit with the square of the spacing, from the two finest spacings. Eisfeld and Schnitzlein's correlation"
     print "(2001, spheres: K1 = 154, k1 = 1.15, k2 = 0.87) is taken at the porosity and flow of this packing. Kozeny and Carman: porosity^3 d^2 / (180 (1 - porosity)^2).\n"
-    print "Floor and lid of the pouring put the beads next to them into flat layers. A packing that repeats with both layers in it has a denser middle (0.411, in the mean 0.4229): 14.25, 15.20 and"
-    print "16.08 Pa at 100, 80 and 64 um, 17.92 Pa extrapolated, 11.7 % above the correlation at the mean porosity and 2.4 % above that taken slice by slice (17.51 Pa). Solves that ended within the"
+    print "Floor and lid of the pouring put the beads next to them into flat layers. A packing that repeats with both layers in it has a denser middle (0.411, in the mean 0.4229). The drops are 14.25, 15.20 and"
+    print "16.08 Pa at 100, 80 and 64 um, 17.92 Pa extrapolated. This is 11.7 % above the correlation at the mean porosity, and 2.4 % above the correlation taken slice by slice (17.51 Pa). Solves that ended within the"
     print "ten iterations after a restart had drops up to 1.1 % too low (13.26 and 13.40 Pa at 100 um), which moved the observed order from 2.1 to 2.8.\n"
     if (opens) {
         print "Between an inlet and an outlet (`run.sh --open`), with zones of 1 mm without beads before and behind them, the drop is lower than that of the periodic packing, as its ends are loose (about half a millimetre of packing):\n"
@@ -107,6 +107,6 @@ END {
     for (r = 1; r <= runs; r++)
         if (r in limit && beads[r] == 6864)
             printf "| scree, packing %d, extrapolated | 0 | %.2f | %s | %.2g core hours in all |\n", r, limit[r], percent(limit[r] / 14.29 - 1), seconds[r] / 3600
-    print "\nThe packings of the published runs come from magnetic resonance images. Their reference, 14.29 Pa by Eisfeld and Schnitzlein, does not follow from the data given with it: 6,864 beads in"
-    print "12.8 mm have a porosity of 0.4229, not 0.4267, and the correlation gives 16.06 Pa at 0.4229 and 15.44 Pa at 0.4267; 14.29 Pa belongs to 0.435. The published drops span 13.2 to 16.3 Pa."
+    print "\nThe packings of the published runs come from magnetic resonance images. Their reference, 14.29 Pa by Eisfeld and Schnitzlein, does not follow from the data given with it. 6,864 beads in"
+    print "12.8 mm have a porosity of 0.4229, not 0.4267. The correlation gives 16.06 Pa at 0.4229 and 15.44 Pa at 0.4267; 14.29 Pa belongs to 0.435. The published drops span 13.2 to 16.3 Pa."
 }

@@ -20,7 +20,7 @@
 #   before_solve         neighbours, operators and assembly over preconditioner and solves of one step
 #
 # --counts: instructions of one step by phase, under valgrind's callgrind, of some N (8,000) nodes: other work on the machine does
-# not change these. --page: runs all, and writes the table of docs/fluid.md; with --still without nanoseconds and what follows from
+# not change these. --page: runs all, and writes the table of docs/fluid-method.md; with --still without nanoseconds and what follows from
 # them, on a machine that other work disturbs.
 #
 # --quick: 4,096 nodes, 2 steps. SCREE, TRIAD, WORK, STEPS (11), RANKS ("1 2") may be set.
@@ -205,9 +205,9 @@ table() {
         }'
 }
 
-# page: writes the table between the marks of docs/fluid.md
+# page: writes the table between the marks of docs/fluid-method.md
 page() {
-    local file=$here/../../docs/fluid.md
+    local file=$here/../../docs/fluid-method.md
     series | tee "$rows" >&2
     table <"$rows" >"$work/fluid.table"
     awk -v table="$work/fluid.table" '

@@ -57,6 +57,6 @@ END {
     printf "by %.1g at most. Ergun: 150 + 1.75 Re / (1 - porosity); Eisfeld and Schnitzlein far from walls: 154 + 1.32 Re / (1 - porosity); Kozeny and Carman: 180; Beetstra, van der Hoef and Kuipers, AIChE J. 53\n", worst
     print "(2007) 489: fitted to lattice Boltzmann simulations of packings like these. An ordered packing: Zick and Homsy's simple cubic array of spheres that touch, 47.6 % porosity, has 156.5."
     print "\nWith advection by plain central differences flows ended at 10: in narrow throats they grew without bound, with any time step from 2e-4 to 5e-6 d^2/nu."
-    print "Advection that makes no kinetic energy, with some diffusion beside grains ([fluid.md](fluid.md#time)), marches to a steady flow at 30 and 100 with 6.5 spacings a diameter, too, but its friction factor is 210"
+    print "Advection that makes no kinetic energy, with some diffusion beside grains ([fluid-method.md](fluid-method.md#advection)), marches to a steady flow at 30 and 100 with 6.5 spacings a diameter, too, but its friction factor is 210"
     print "to 216 at 30. At 10.4 spacings a diameter and 100 the largest velocity times the spacing is 117 kinematic viscosities: the throats are coarse."
 }

@@ -41,7 +41,7 @@ function model(count, n,    k, i, grown, levels, shell, work, messages_, bytes_,
     first[lines] = of("setup_messages"); first_bytes[lines] = of("setup_bytes"); memory[lines] = of("memory")
 }
 END {
-    work_of = 5e-6 # seconds of one fluid particle and transient step on one core (docs/fluid.md, Cost: velocity, pressure and the rest)
+    work_of = 5e-6 # seconds of one fluid particle and transient step on one core (docs/fluid-method.md, Cost: velocity, pressure and the rest)
     print "\n## Many ranks\n"
     print "[examples/fluid_scaling](../examples/fluid_scaling/README.md), `run.sh`: slow flow through an array of spheres, a share of it on each rank, on more ranks than there are cores: counts,"
     print "not times. All messages are counted, those of PETSc and hypre too, by a library between the program and MPI. Means over ranks.\n"
@@ -58,14 +58,14 @@ END {
     if (!("transient" in last)) exit
     print "\nA model of more ranks follows from these counts, for a transient step:\n"
     print "    T(P) = n w i(P)/i(1) + m g a + b g s / B + c i(P)/i(P0) 2 ceil(log2 P) a,   g = i(P)/i(P0) log(n P)/log(n0 P0),   s = (n/n0)^(2/3)\n"
-    printf "with n fluid particles a rank, w = %g us of work for each and step, m messages, b bytes and c reductions of a step, counted on P0 = %d ranks with n0 = %d particles each; i = %.2f + %.2f log2 P\n", \
+    printf "Here n are the fluid particles of a rank, w = %g us is the work for each particle and step. m messages, b bytes and c reductions of a step are counted on P0 = %d ranks with n0 = %d particles each. i = %.2f + %.2f log2 P\n", \
         1e6 * work_of, ranks[last["transient"]], share[last["transient"]], start["transient"], slope["transient"]
-    printf "iterations for the pressure, a straight line through those of the small share; levels of multigrid grow with the logarithm of all particles; latency a = %g us a message, bandwidth B = %g GB/s a rank, both\n", 1e6 * latency, bandwidth / 1e9
+    printf "are the iterations for the pressure, a straight line through those of the small share. Levels of multigrid grow with the logarithm of all particles. The latency a = %g us a message and the bandwidth B = %g GB/s a rank are\n", 1e6 * latency, bandwidth / 1e9
     print "assumed. Nothing overlaps, no rank waits for a slower one. 32,768 ranks with 4,029 particles each are the 132 million particles of the largest published run of implicit SPH (134 million on 32,768 cores).\n"
     print "| particles a rank | ranks | particles | iterations | work, ms | messages, ms | bytes, ms | reductions, ms | step, ms | efficiency |"
     print "|---|---|---|---|---|---|---|---|---|---|"
     for (s = 1; s <= 2; s++)
         for (p = 64; p <= 32768; p *= 8) model(p, s == 1 ? share[last["transient"]] : 32232)
-    print "\nNot in the model: the set-up from the sources of a scene, where each rank goes through all grains ([scaling.md](scaling.md)), and matrices beyond 2^31 rows or unknowns, which PETSc as Debian"
-    print "builds it does not number: 536 million fluid particles in a steady flow."
+    print "\nTwo things are not in the model. One is the set-up from the sources of a scene, where each rank goes through all grains ([scaling.md](scaling.md)). The other is matrices beyond 2^31 rows or"
+    print "unknowns, which PETSc as Debian builds PETSc does not number: 536 million fluid particles in a steady flow."
 }

@@ -112,7 +112,7 @@ The runs are weak scaling with small shares and many ranks on few cores, so only
 over ranks of the messages and bytes that a rank sends. Memory is the memory that the program counts: the memory held at the end, and the most at
 any time, which here is the set-up. The last column is the largest resident set, MPI and libraries included.
 END
-    ranks_rows scene brick 10 'The gas, a cube of 10 x 10 x 10 for each rank, bricks; a rank has 7 neighbours on 2 x 2 x 2 ranks and 26 from 3 x 3 x 3 on, and a rank that needs no copy gets no message:'
+    ranks_rows scene brick 10 'The gas, a cube of 10 x 10 x 10 for each rank, bricks. A rank has 7 neighbours on 2 x 2 x 2 ranks and 26 from 3 x 3 x 3 on. A rank that needs no copy gets no message:'
     ranks_rows scene bisection 10 'The same gas, divided by bisection (subdomains with equal numbers of particles; their faces do not match, so there are more neighbours):'
     ranks_rows boulders brick 8 'A boulder of 1.6 subdomain edges across for each 27 ranks, in a row of blocks of 3 x 3 x 3; ranks beyond the neighbours of its owner need copies, and copies spread as shadows:'
     cat <<END
@@ -125,8 +125,8 @@ END
     [ "$(echo "$rows" | wc -l)" -gt 1 ] || return 0
     cat <<END
 
-Copies follow the geometry of the share: the space outside a cube of edge L within the reach h of the cube has the volume
-6 L² h + 3 pi L h² + 4/3 pi h³ (h = 1.086: a radius, the largest radius and the skin). On 27 ranks:
+Copies follow the geometry of the share. The space outside a cube of edge L within the reach h of the cube has the volume
+6 L² h + 3 pi L h² + 4/3 pi h³. Here h = 1.086: a radius, the largest radius and the skin. On 27 ranks:
 
 | edge of the share | spheres a rank | copies a rank | by geometry | difference |
 |---|---|---|---|---|
@@ -160,13 +160,14 @@ counts each byte that a long memset clears; new arrays that one thread clears, 0
 | 64 | 0.164 million | 0.036 | 1.48 | 0.20 | 2.32 | 1.05 |
 
 What a thread does alone in a step are sums and largest values over the threads, about 500 instructions a thread. A step in fused order has one parallel
-region with one barrier inside, a step in ring order two regions without one; a step with a rebuild has 20 regions with 11 barriers inside, and the step
-after it three regions more for its plan. With 64 threads the first thread has 1.28 million instructions in the regions of a rebuild, and the mean of
-the others is 0.79 million: a range at a face of the box also searches the images beyond the face, and here a range is a third of a layer of cells.
+region with one barrier inside. A step in ring order has two regions without a barrier. A step with a rebuild has 20 regions with 11 barriers inside, and
+the next step has three regions more for the plan. With 64 threads the first thread has 1.28 million instructions in the regions of a rebuild, and the mean
+of the others is 0.79 million. The reason: a range at a face of the box also searches the images beyond the face. Here a range is a third of a layer of
+cells.
 
-In a rebuild one thread alone looks once through the classes of all particles (an instruction a particle) and cuts the rows into blocks, adds up a table
-of threads x threads for the levels, and numbers the slots of particles with very many partners. With several kinds of particles it also sorts the
-order of a reorder by class. On several ranks one thread makes the lists of copies and of their originals, which grow with the border of a rank. (In
+In a rebuild one thread alone looks once through the classes of all particles (an instruction a particle) and cuts the rows into blocks. This thread also
+adds up a table of threads x threads for the levels, and numbers the slots of particles with very many partners. With several kinds of particles this
+thread also sorts the order of a reorder by class. On several ranks one thread makes the lists of copies and of their originals, which grow with the border of a rank. (In
 the first table each thread's cuts looked through the classes again: with 64 threads 1.2 of the 207.5 million instructions.)
 
 Before the first rebuild all threads copy the arrays of the particles to fresh memory, each thread its part, because the thread that reads or makes the
@@ -205,9 +206,12 @@ END
     has lengths || return 0
     cat <<END
 
-The following times and sizes were measured on one process with pretended rank counts (\`bench_ranks\`): the milliseconds to make a domain with its
-neighbours, and the size of the domain; the seconds to make a cut tree from all corners; the nanoseconds to find the owner of a position; the
-milliseconds of one sorting by rank.
+The following times and sizes were measured on one process with pretended rank counts (\`bench_ranks\`):
+
+- the milliseconds to make a domain with its neighbours, and the size of the domain;
+- the seconds to make a cut tree from all corners;
+- the nanoseconds to find the owner of a position;
+- the milliseconds of one sorting by rank.
 
 | ranks | bricks, ms | kB | bisection, ms | tree, kB | division, s | owner in bricks, ns | owner in the tree, ns | sorting, ms |
 |---|---|---|---|---|---|---|---|---|
@@ -221,9 +225,9 @@ model_section() {
 
     T(P) = n w + (m + m'/k) a + (b + b'/k) S(n) / B + (1 + 3/k) 2 ceil(log2 P) a + 4 g(P) / k
 
-Here n is the number of spheres of a rank, w the work of one sphere; m and b are the messages and bytes of a step, m' and b' those of a rebuild, with
-one rebuild in k steps; a is the latency of a message, B the bandwidth of a rank, S(n) the growth of the shell of copies with the share, and g(P)
-the time of one sorting by rank, measured above, which does not grow.
+Here n is the number of spheres of a rank, w the work of one sphere. m and b are the messages and bytes of a step. m' and b' are those of a rebuild, with
+one rebuild in k steps. a is the latency of a message, B the bandwidth of a rank. S(n) is the growth of the shell of copies with the share. g(P) is the
+time of one sorting by rank, measured above, which does not grow.
 
 | input | value | from |
 |---|---|---|

@@ -12,7 +12,7 @@
  * which is the weight of a fluidised bed less its buoyancy.
  *
  * Instead of a given fluid, that of the section `fluid` may flow between the grains: then U - porosity v is u - v with its velocity u at
- * the grain, and it loses the momentum that the grain gains (fluid/dust.h). */
+ * the grain, and it loses the momentum that the grain gains (drag/carrier.h). */
 #ifndef SCREE_DRAG_DRAG_H
 #define SCREE_DRAG_DRAG_H
 
@@ -32,7 +32,7 @@ struct drag_porosity {
 
 struct drag_options { /* the section `drag` of a scene */
     enum drag_law_name law;
-    int fluids; /* 0: that of the section `fluid`, which resolves none of these grains (fluid/dust.h); 1 */
+    int fluids; /* 0: that of the section `fluid`, which resolves none of these grains (drag/carrier.h); 1 */
     struct drag_fluid fluid;
     struct drag_porosity porosity;
     double largest; /* radius up to which grains feel drag and count in the porosity; NAN: any */

@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 noinst_LTLIBRARIES += libdrag.la
 libdrag_la_SOURCES = \
+	src/drag/carrier.c \
+	src/drag/carrier.h \
 	src/drag/drag.h \
 	src/drag/drag_own.h \
 	src/drag/drag_rows.c \

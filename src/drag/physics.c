@@ -7,7 +7,7 @@
 #include "drag/law.h"
 #include "drag/porosity.h"
 #include "engine/physics.h"
-#include "fluid/dust.h"
+#include "drag/carrier.h"
 #include "particles/groups.h"
 #include "particles/kinds.h"
 #include <math.h>
@@ -27,8 +27,10 @@ struct drag {
 
 double drag_largest(const struct scene *scene) {
     const struct drag_options *options = (const void *)scene->physics[PHYSICS_drag];
-    const struct fluid_options *fluid = dust_fluid(scene);
-    return fluid != NULL ? fluid->grains.unresolved : isnan(options->largest) ? INFINITY : options->largest;
+    struct carrier carrier;
+    if (carrier_of(scene, &carrier))
+        return carrier.largest;
+    return isnan(options->largest) ? INFINITY : options->largest;
 }
 
 void drag_velocity(const struct drag *drag, double time, double velocity[3]) {
@@ -66,7 +68,8 @@ static bool check(const struct physics_context *context, struct error *error) {
         return scene_fail(context->scene, error, "drag.law",
                           "a law with a porosity needs a box of three dimensions; allowed in two: stokes, "
                           "schiller_naumann");
-    bool resolved = dust_fluid(context->scene) != NULL;
+    struct carrier carrier;
+    bool resolved = carrier_of(context->scene, &carrier);
     if (resolved && options->fluids > 0)
         return scene_fail(
             context->scene, error, "drag.fluid",
@@ -93,11 +96,11 @@ static void *create(const struct physics_context *context) {
     struct drag *drag = memory_allocate_zero(1, sizeof *drag, "drag");
     drag->options = context->options;
     drag->law = drag_law_get(drag->options->law);
-    const struct fluid_options *fluid = dust_fluid(context->scene);
+    struct carrier carrier = {drag->options->fluid.density, drag->options->fluid.viscosity, INFINITY};
     drag->largest = drag_largest(context->scene);
-    drag->resolved = fluid != NULL;
-    drag->density = fluid ? fluid->density : drag->options->fluid.density;
-    drag->viscosity = fluid ? fluid->viscosity : drag->options->fluid.viscosity;
+    drag->resolved = carrier_of(context->scene, &carrier);
+    drag->density = carrier.density;
+    drag->viscosity = carrier.viscosity;
     drag->given = memory_allocate_zero((size_t)context->threads, sizeof *drag->given, "drag");
     if (drag->law->porous)
         drag->porosity = porosity_create(context);
@@ -148,7 +151,7 @@ static double factor_of(const struct physics_context *context, size_t i, double 
     double square = 0, moved = drag->resolved ? 1 : at.porosity, flow[3] = {0};
     drag_velocity(drag, time, slip);
     if (drag->resolved) /* before the first lists no grain has seen the fluid: without slip K is least */
-        memcpy(slip, context->list[0] ? dust_seen(context->particles)[i] : state->v, 3 * sizeof *slip);
+        memcpy(slip, context->list[0] ? carrier_seen(context->particles)[i] : state->v, 3 * sizeof *slip);
     if (context->box->motion.moves) /* the fluid moves with the box, or an image would feel another drag */
         box_flow(context->box, state->x, flow);
     for (int d = 0; d < 3; d++) {
@@ -166,7 +169,7 @@ static void act(const struct physics_context *context, int thread) {
     struct particles *p = context->particles;
     const uint8_t *kind = kinds_of(p);
     const double *gravity = context->scene->gravity, half = 0.5 * context->clock->dt;
-    double(*law)[3] = (double(*)[3])drag_force(p), (*taken)[4] = dust_force(p), given = 0;
+    double(*law)[3] = (double(*)[3])drag_force(p), (*taken)[4] = carrier_force(p), given = 0;
     size_t first = p->owned * (size_t)thread / (size_t)context->threads;
     size_t last = p->owned * ((size_t)thread + 1) / (size_t)context->threads;
     for (size_t i = first; i < last; i++) {

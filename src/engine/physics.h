@@ -292,6 +292,12 @@ struct physics_obstacles {
     void (*finite)(const struct physics_context *context, struct error *error);
 };
 
+/* Facet of a physics with a fluid that carries grains which it does not resolve; the physics of drag asks for it. */
+struct physics_carrier {
+    /* False if the options leave no grain unresolved; else density, dynamic viscosity and the largest radius of those. */
+    bool (*of)(const void *options, double *density, double *viscosity, double *largest);
+};
+
 /* Facet of a physics with its own part of a checkpoint, beside fields, rows and restart numbers. */
 struct physics_record {
     /* Fills its part; `rows` are those of the obstacles. All is borrowed until the checkpoint is written. Collective. */
@@ -337,6 +343,7 @@ struct physics {
     const struct physics_mover *mover;
     const struct physics_obstacles *obstacles;
     const struct physics_record *record;
+    const struct physics_carrier *carrier;
 };
 
 /* The physics of a run. */

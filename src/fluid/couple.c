@@ -126,7 +126,7 @@ uint64_t couple_every(const struct physics_context *context) {
 const char *couple_pockets(const struct fluid_options *options) {
     return couple_free(options)
                ? "; where grains close pockets of fluid between them no step is short enough "
-                 "(docs/fluid.md, Limits)"
+                 "(docs/fluid-limits.md)"
                : "";
 }
 

@@ -2,6 +2,7 @@
 /* Velocities at grains that the fluid does not resolve, and their forces on it. Read dust.h first. */
 #include "fluid/dust.h"
 #include "core/memory.h"
+#include "drag/carrier.h"
 #include "fluid/fields.h"
 #include "fluid/state.h"
 #include "particles/kinds.h"
@@ -9,43 +10,27 @@
 #include <string.h>
 
 #define OF_DUST .type = FIELD_DOUBLE, .needed_for = "fluid.grains.unresolved"
-static const struct field
-    seen = {.name = "fluid_seen",
-            .components = 3,
-            .use = FIELD_TRAVELS | FIELD_OUTPUT | FIELD_ASKED,
-            .unit = "m s-1",
-            .kinds = 1u << KIND_GRAIN,
-            OF_DUST,
-            .help = "velocity of the fluid at a grain that it does not resolve"},
-    force = {.name = "fluid_taken",
-             .components = 4,
-             .kinds = 1u << KIND_GRAIN,
-             OF_DUST,
-             .help = "force of the fluid on such a grain, N, and that over the slip, kg s-1"},
-    push = {.name = "fluid_given",
-            .components = 4,
-            .kinds = 1u << KIND_FLUID,
-            OF_DUST,
-            .help = "the same, of a fluid particle on the grains around it"},
-    given_before = {.name = "fluid_given_before",
-                    .components = 3,
-                    .use = FIELD_TRAVELS,
-                    .unit = "N",
-                    .kinds = 1u << KIND_FLUID,
-                    OF_DUST,
-                    .help = "that force in the step before"},
-    impulse = {.name = "fluid_impulse",
-               .components = 3,
-               .use = FIELD_TRAVELS,
-               .unit = "N s",
-               .kinds = 1u << KIND_FLUID,
-               OF_DUST,
-               .help = "momentum that a fluid particle has to lose in the next step of the fluid"};
-
-const struct fluid_options *dust_fluid(const struct scene *scene) {
-    const struct fluid_options *options = (const void *)scene->physics[PHYSICS_fluid];
-    return scene->physics_given[PHYSICS_fluid] && dust_any(options) ? options : NULL;
-}
+static const struct field push = {.name = "fluid_given",
+                                  .components = 4,
+                                  .kinds = 1u << KIND_FLUID,
+                                  OF_DUST,
+                                  .help = "the same, of a fluid particle on the grains around it"},
+                          given_before = {.name = "fluid_given_before",
+                                          .components = 3,
+                                          .use = FIELD_TRAVELS,
+                                          .unit = "N",
+                                          .kinds = 1u << KIND_FLUID,
+                                          OF_DUST,
+                                          .help = "that force in the step before"},
+                          impulse = {
+                              .name = "fluid_impulse",
+                              .components = 3,
+                              .use = FIELD_TRAVELS,
+                              .unit = "N s",
+                              .kinds = 1u << KIND_FLUID,
+                              OF_DUST,
+                              .help =
+                                  "momentum that a fluid particle has to lose in the next step of the fluid"};
 
 bool dust_any(const struct fluid_options *options) {
     return !isnan(options->grains.unresolved);
@@ -71,19 +56,10 @@ bool dust_suits(const struct physics_context *context, struct error *error) {
 }
 
 void dust_fields_add(struct particles *particles) {
-    fields_register(particles, &seen);
-    fields_register(particles, &force);
+    carrier_fields_add(particles);
     fields_register(particles, &push);
     fields_register(particles, &given_before);
     fields_register(particles, &impulse);
-}
-
-double (*dust_seen(const struct particles *particles))[3] {
-    return fields_values(particles, &seen);
-}
-
-double (*dust_force(const struct particles *particles))[4] {
-    return fields_values(particles, &force);
 }
 
 bool dust_needed(const struct physics_context *context) {
@@ -137,7 +113,7 @@ static void look_at(const struct physics_context *context, size_t i, double sum,
 void dust_look(const struct physics_context *context) {
     struct fluid *fluid = context->self;
     const struct particles *p = context->particles;
-    double(*u)[3] = dust_seen(p);
+    double(*u)[3] = carrier_seen(p);
     size_t lost = SIZE_MAX;
 #pragma omp parallel for schedule(static) reduction(min : lost)
     for (size_t i = 0; i < p->owned; i++) {
@@ -161,7 +137,7 @@ void dust_look(const struct physics_context *context) {
 static void spread(const struct physics_context *context) {
     struct fluid *fluid = context->self;
     struct particles *p = context->particles;
-    double(*taken)[4] = dust_force(p), (*given)[4] = fields_values(p, &push);
+    double(*taken)[4] = carrier_force(p), (*given)[4] = fields_values(p, &push);
     size_t j;
     memset(given, 0, (p->owned + p->ghosts) * sizeof *given);
     for (size_t i = 0; i < p->owned; i++) {

@@ -17,9 +17,6 @@
 #include "engine/physics.h"
 #include "fluid/fluid.h"
 
-/* The options of a scene's fluid, if there are grains that it does not resolve; else NULL. */
-const struct fluid_options *dust_fluid(const struct scene *scene);
-
 /* True if there are such grains; true if a grain of this radius is one. Any thread. */
 bool dust_any(const struct fluid_options *options);
 bool dust_is(const struct fluid_options *options, double radius);
@@ -27,18 +24,13 @@ bool dust_is(const struct fluid_options *options, double radius);
 /* True if the keys go together with the others; else a user's error with the key. */
 bool dust_suits(const struct physics_context *context, struct error *error);
 
-/* Registers the fields below. */
+/* Registers the fields of the exchange (drag/carrier.h), and the fluid's own. */
 void dust_fields_add(struct particles *particles);
-
-/* By particle number, of the grains that are not resolved: the velocity of the fluid there, made before the passes of PASS_CLOSE; force
- * and K, which the physics `drag` fills before the pass of the fluid. NULL: no fields. */
-double (*dust_seen(const struct particles *particles))[3];
-double (*dust_force(const struct particles *particles))[4];
 
 /* As `needed` of a pass. */
 bool dust_needed(const struct physics_context *context);
 
-/* Fills dust_seen; an error on all ranks if a grain has no fluid around it. Opens its own team. Collective. */
+/* Fills carrier_seen; an error on all ranks if a grain has no fluid around it. Opens its own team. Collective. */
 void dust_look(const struct physics_context *context);
 
 /* Once in each step of the grains: their forces become impulses of the fluid. An error if a step of the fluid, of the length dt, is too long

@@ -207,6 +207,16 @@ static const struct physics_search search = {.interactions = 1,
 static const struct physics_limit limits = {
     .of = march_limit, .why = "advection: the fluid may move by half a spacing in a step"};
 
+static bool carries(const void *options, double *density, double *viscosity, double *largest) {
+    const struct fluid_options *fluid = options;
+    *density = fluid->density;
+    *viscosity = fluid->viscosity;
+    *largest = fluid->grains.unresolved;
+    return dust_any(fluid);
+}
+
+static const struct physics_carrier carrier = {.of = carries};
+
 const struct physics fluid_physics = {.name = "fluid",
                                       .passes = sizeof passes / sizeof passes[0],
                                       .pass = passes,
@@ -221,4 +231,5 @@ const struct physics fluid_physics = {.name = "fluid",
                                       .maker = &maker,
                                       .shown = &shown,
                                       .search = &search,
-                                      .limit = &limits};
+                                      .limit = &limits,
+                                      .carrier = &carrier};
