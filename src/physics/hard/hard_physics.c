@@ -80,6 +80,11 @@ static bool check_pairs(const struct scene *scene, struct error *error) {
     return true;
 }
 
+/* True if a physics does nothing to grains, and has no particles and no step of its own. */
+static bool only_looks(const struct physics *row) {
+    return !row->maker && !row->joints && !row->limit && !row->energy && !row->mover && !row->carrier;
+}
+
 /* Refuses what the solver does not know yet. */
 static bool check(const struct physics_context *context, struct error *error) {
     const struct scene *scene = context->scene;
@@ -89,7 +94,7 @@ static bool check(const struct physics_context *context, struct error *error) {
     if (scene->reproducible)
         return scene_fail(scene, error, "reproducible", with, "false");
     for (int k = 0; k < PHYSICS_COUNT; k++)
-        if (scene->physics_given[k] && k != PHYSICS_hard && k != PHYSICS_density)
+        if (scene->physics_given[k] && k != PHYSICS_hard && !only_looks(physics_get((enum physics_number)k)))
             return scene_fail(scene, error, physics_key((enum physics_number)k), with,
                               "physics that only look at grains");
     for (int w = 0; w < scene->walls; w++)
