@@ -108,7 +108,7 @@ void sorts_collect(const struct physics_context *c, struct sorts *sorts) {
         sorts_insert(c, sorts, &c->scene->insertion[k]);
     if (c->scene->materials == 0) /* nothing touches */
         memset(sorts->radius_max, 0, sizeof sorts->radius_max);
-    for (int w = 0; w < c->scene->walls; w++)
+    for (int w = 0; w < c->scene->walls && c->scene->materials > 0; w++)
         sorts->fixed[c->scene->wall[w].material] = 1;
     comm_min(c->comm, sorts->radius_min, SORTS_MAX);
     comm_min(c->comm, sorts->lightest, SORTS_MAX);
