@@ -9,7 +9,7 @@ EXTRA_DIST += tests/launch tests/lsan.supp tests/without_cmocka/cmocka.h
 dist_check_SCRIPTS += tests/lint
 
 # By hand: do the tests notice wrong code?
-EXTRA_DIST += tests/mutate tests/mutants.txt
+EXTRA_DIST += tests/mutate tests/mutants.txt tests/examples_sanitized.sh
 
 check_PROGRAMS += \
 	tests/test_checksum \
