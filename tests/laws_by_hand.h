@@ -6,6 +6,7 @@
 #include "physics/grains/laws/law.h"
 #include "physics/grains/laws/law_kernel.h"
 #include "base/random.h"
+#include <stdlib.h>
 #include <string.h>
 #include "near.h"
 #include "tests/own_law.h"
@@ -14,7 +15,17 @@ static const struct law_material glass[2] = {{"glass", 2500.0, 1e9, 0.2}, {"stee
 
 static struct law_pair pairs[2][2];
 
-/* A law for materials m[0] and m[1] with the same coefficients for all pairs. */
+/* Keeps the tables of a law until the test ends, which is when nobody looks at them any more. */
+static inline void law_keep(const struct law *law) {
+    static struct law *kept;
+    static size_t count;
+    kept = realloc(kept, (count + 1) * sizeof *kept);
+    if (kept == NULL)
+        fail_msg("no memory for law %zu", count);
+    kept[count++] = *law;
+}
+
+/* A law for materials m[0] and m[1] with the same coefficients for all pairs. Its tables are kept. */
 static inline struct law law_for(struct law_options options, const struct law_material m[2],
                                  struct law_pair pair) {
     struct law law;
@@ -24,6 +35,7 @@ static inline struct law law_for(struct law_options options, const struct law_ma
             pairs[a][b] = pair;
     if (!law_prepare(&law, &options, 2, m, pairs[0], &error))
         fail_msg("%s", error.text);
+    law_keep(&law);
     return law;
 }
 
