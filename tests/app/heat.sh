@@ -255,12 +255,16 @@ warm_resume() {
     run_scene 1 gas.yaml warm --set heat.dissipation=1 && run_scene 2 gas.yaml more --set heat.dissipation=1 --resume warm/checkpoint-400.h5 && rows warm >a && rows more | cmp - a
 }
 check 'a resume of it gives the same bits, on two ranks' warm_resume
-each_wall() { # the power of each wall in the steady chain
-    run_scene 2 chain.yaml walls --set 'observables.list=[{name: heat_wall}, {name: heat_walls}]' --set step.count=20000 --set observables.every=20000 --set 'output.dump=~' &&
+each_wall() { # RANKS FLAG...: the power of each wall in the steady chain
+    rm -rf walls
+    run_scene "$1" chain.yaml walls "${@:2}" --set 'observables.list=[{name: heat_wall}, {name: heat_walls}]' --set step.count=20000 --set observables.every=20000 --set 'output.dump=~' &&
         tail -n 1 walls/observables.csv | awk -F , '{ H = 1.4 * sqrt(0.1 * 0.004); W = 1.4 * sqrt(0.2 * 0.002); P = 100 / (2 / W + 4 / H)
             printf "  %s\n", $0; exit !($2 / P > 0.999999 && $2 / P < 1.000001 && $3 / P < -0.999999 && $3 / P > -1.000001 && $4 - $2 - $3 < 1e-12 && $4 - $2 - $3 > -1e-12) }'
 }
-check 'power of each wall' each_wall
+check 'power of each wall' each_wall 2
+check 'power of each wall, on two threads' each_wall 1 --set threads=2
+check 'an entry with a name goes over the one without' each_wall 1 \
+    --set 'heat.materials=[{material: a, conductivity: 0.7, capacity: 1.5}, {conductivity: 9, capacity: 9}]'
 # Contacts that are pulled apart, from an overlap to a neck across a gap: the law's contact radius, by hand for each law
 cat >neck.yaml <<'EOS'
 units: none
