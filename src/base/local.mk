@@ -12,6 +12,7 @@ libcore_la_SOURCES = \
 	src/base/log.h \
 	src/base/memory.c \
 	src/base/memory.h \
+	src/base/mix.h \
 	src/base/program.c \
 	src/base/program.h \
 	src/base/random.c \

@@ -2,6 +2,7 @@
 /* Makes frames of a simulation for a page. Read shot.h first. */
 #include "front/view/shot.h"
 #include "base/memory.h"
+#include "base/mix.h"
 #include "data/observe/report_json.h"
 #include "kernel/particles/fields.h"
 #include <inttypes.h>
@@ -74,12 +75,9 @@ static double value_of(const struct field *field, const char *at) {
     return sqrt(sum);
 }
 
-/* A number in [0, 1) that belongs to an id (the last steps of SplitMix64; Steele, Lea and Flood 2014). */
+/* A number in [0, 1) that belongs to an id. */
 static double draw(int64_t id) {
-    uint64_t z = (uint64_t)id * 0x9e3779b97f4a7c15u;
-    z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9u;
-    z = (z ^ (z >> 27)) * 0x94d049bb133111ebu;
-    return (double)((z ^ (z >> 31)) >> 11) * 0x1p-53;
+    return (double)(mix_bits((uint64_t)id * MIX_GOLDEN) >> 11) * 0x1p-53;
 }
 
 /* The part of each size class that a frame has: the classes with the fewest particles take what they need of equal
