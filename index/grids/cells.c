@@ -84,28 +84,6 @@ static void dense_begins(struct cells *cells, const uint64_t *key, size_t all_ce
     }
 }
 
-static void fill_hash(struct cells *cells) {
-    cells->hash_bits = 2;
-    while ((size_t)1 << cells->hash_bits < 2 * cells->pencils) {
-        cells->hash_bits++;
-    }
-    size_t room = (size_t)1 << cells->hash_bits;
-    cells->hash_key =
-        cells_ensure(cells->hash_key, cells->hash_capacity, room, sizeof(uint64_t), "index hash");
-    cells->hash_pencil =
-        cells_ensure(cells->hash_pencil, cells->hash_capacity, room, sizeof(uint32_t), "index hash");
-    cells->hash_capacity = room > cells->hash_capacity ? room : cells->hash_capacity;
-    memset(cells->hash_key, 0xff, room * sizeof(uint64_t));
-    for (size_t p = 0; p < cells->pencils; p++) {
-        uint64_t k = (cells->pencil[p] * 0x9e3779b97f4a7c15u) >> (64 - cells->hash_bits);
-        while (cells->hash_key[k] != UINT64_MAX) {
-            k = (k + 1) & (room - 1);
-        }
-        cells->hash_key[k] = cells->pencil[p];
-        cells->hash_pencil[k] = (uint32_t)p;
-    }
-}
-
 /* Pencils, their slices and x cells from keys in order. */
 static void sparse_pencils(struct cells *cells, const uint64_t *key) {
     const uint64_t mask = ((uint64_t)1 << CELLS_SPARSE_BITS) - 1;
@@ -129,7 +107,10 @@ static void sparse_pencils(struct cells *cells, const uint64_t *key) {
         cells->x_cell[k] = (uint32_t)(key[k] & mask);
     }
     cells->begin[p] = (uint32_t)cells->count;
-    fill_hash(cells);
+    hash_start(&cells->by_key, pencils, "index hash");
+    for (p = 0; p < pencils; p++) {
+        hash_put(&cells->by_key, cells->pencil[p], (uint32_t)p);
+    }
 }
 
 /* Makes room for all arrays and computes the keys. */
@@ -235,8 +216,7 @@ void cells_free(struct cells *cells) {
     memory_free(cells->begin);
     memory_free(cells->pencil);
     memory_free(cells->x_cell);
-    memory_free(cells->hash_key);
-    memory_free(cells->hash_pencil);
+    hash_free(&cells->by_key);
     *cells = (struct cells){0};
 }
 
@@ -244,6 +224,5 @@ size_t cells_memory(const struct cells *cells) {
     return cells->capacity * sizeof(uint32_t) +
            (cells->place_capacity * 4 + cells->origin_capacity * 3) * sizeof(float) +
            (cells->x_cell_capacity + cells->begin_capacity) * sizeof(uint32_t) +
-           cells->pencil_capacity * sizeof(uint64_t) +
-           cells->hash_capacity * (sizeof(uint64_t) + sizeof(uint32_t));
+           cells->pencil_capacity * sizeof(uint64_t) + hash_memory(&cells->by_key);
 }

@@ -35,13 +35,10 @@ size_t cells_scratch_memory(const struct cells_scratch *scratch);
 /* The pencil number of (y, z) in a sparse table, or -1. */
 static inline int64_t cells_find_pencil(const struct cells *cells, int y, int z) {
     uint64_t key = (uint64_t)(uint32_t)y | (uint64_t)(uint32_t)z << 32;
-    uint64_t mask = ((uint64_t)1 << cells->hash_bits) - 1;
-    uint64_t k = (key * 0x9e3779b97f4a7c15u) >> (64 - cells->hash_bits);
-    while (cells->hash_key[k] != UINT64_MAX) {
-        if (cells->hash_key[k] == key) {
-            return cells->hash_pencil[k];
+    for (uint32_t p = hash_first(&cells->by_key, key); p != HASH_END; p = cells->by_key.next[p]) {
+        if (cells->pencil[p] == key) {
+            return p;
         }
-        k = (k + 1) & mask;
     }
     return -1;
 }

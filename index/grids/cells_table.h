@@ -10,6 +10,7 @@
 #ifndef SCREE_INDEX_GRIDS_CELLS_TABLE_H
 #define SCREE_INDEX_GRIDS_CELLS_TABLE_H
 
+#include "base/hash.h"
 #include "index/grids/grid.h"
 #include "index/grids/members.h"
 
@@ -29,11 +30,8 @@ struct cells {
     size_t pencils;     /* sparse only, as all members below */
     uint64_t *pencil;   /* y + (z << 32) of each pencil, ascending in (z, y) */
     uint32_t *x_cell;   /* of each slot */
-    uint64_t *hash_key; /* open addressing; HASH_EMPTY where free */
-    uint32_t *hash_pencil;
-    unsigned hash_bits;
-    size_t capacity, place_capacity, origin_capacity, begin_capacity, pencil_capacity, hash_capacity,
-        x_cell_capacity;
+    struct hash by_key; /* the pencils */
+    size_t capacity, place_capacity, origin_capacity, begin_capacity, pencil_capacity, x_cell_capacity;
     size_t occupied; /* sparse: cells with particles */
 };
 

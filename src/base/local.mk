@@ -7,6 +7,8 @@ libcore_la_SOURCES = \
 	src/base/error.h \
 	src/base/exact.c \
 	src/base/exact.h \
+	src/base/hash.c \
+	src/base/hash.h \
 	src/base/image.h \
 	src/base/log.c \
 	src/base/log.h \

@@ -3,6 +3,7 @@
 #include "data/scene/placegrid.h"
 
 #include "base/memory.h"
+#include "base/hash.h"
 
 #include <math.h>
 #include <stdint.h>
@@ -11,7 +12,6 @@ enum { LEVELS_MAX = 40 };
 
 struct sphere {
     double x[3], radius;
-    uint32_t next; /* in the chain of its bucket, + 1; 0: end */
     int level;
     int64_t cell[3];
 };
@@ -27,9 +27,8 @@ struct placegrid {
     double radius_min;
     struct level level[LEVELS_MAX];
     struct sphere *sphere;
-    size_t count, capacity;
-    uint32_t *bucket; /* first sphere + 1, 0: empty */
-    size_t buckets;   /* a power of two */
+    size_t count; /* room for as many as the table */
+    struct hash by_cell;
 };
 
 struct placegrid *placegrid_create(const struct box *box, double radius_min) {
@@ -44,8 +43,8 @@ struct placegrid *placegrid_create(const struct box *box, double radius_min) {
             grid->level[l].cells[d] = cells;
             grid->level[l].cell[d] = cells ? box->edge[d] / (double)cells : edge;
         }
-    grid->buckets = 1024;
-    grid->bucket = memory_allocate_zero(grid->buckets, sizeof(*grid->bucket), "placed spheres");
+    hash_start(&grid->by_cell, 1, "placed spheres");
+    grid->sphere = memory_allocate(grid->by_cell.room, sizeof(*grid->sphere), "placed spheres");
     return grid;
 }
 
@@ -53,7 +52,7 @@ void placegrid_destroy(struct placegrid **grid) {
     if (!*grid)
         return;
     memory_free((*grid)->sphere);
-    memory_free((*grid)->bucket);
+    hash_free(&(*grid)->by_cell);
     memory_free(*grid);
     *grid = NULL;
 }
@@ -65,30 +64,16 @@ static int level_of(const struct placegrid *grid, double radius) {
     return level < 0 ? 0 : level >= LEVELS_MAX ? LEVELS_MAX - 1 : level;
 }
 
-static size_t bucket_of(const struct placegrid *grid, int level, const int64_t cell[3]) {
-    uint64_t h = (uint64_t)level * 0x9e3779b97f4a7c15u;
-    for (int d = 0; d < 3; d++) {
-        h ^= (uint64_t)cell[d] + 0x9e3779b97f4a7c15u + (h << 6) + (h >> 2);
-        h *= 0xbf58476d1ce4e5b9u;
-        h ^= h >> 29;
-    }
-    return (size_t)h & (grid->buckets - 1);
-}
-
-static void link_sphere(struct placegrid *grid, size_t k) {
-    size_t b = bucket_of(grid, grid->sphere[k].level, grid->sphere[k].cell);
-    grid->sphere[k].next = grid->bucket[b];
-    grid->bucket[b] = (uint32_t)(k + 1);
+static void sphere_put(struct placegrid *grid, size_t k) {
+    uint64_t key = mix_cell((uint64_t)grid->sphere[k].level, grid->sphere[k].cell);
+    hash_put(&grid->by_cell, key, (uint32_t)k);
 }
 
 static void grow(struct placegrid *grid) {
-    grid->capacity = grid->capacity ? 2 * grid->capacity : 1024;
-    grid->sphere = memory_resize(grid->sphere, grid->capacity, sizeof(*grid->sphere), "placed spheres");
-    grid->buckets = 2 * grid->capacity;
-    memory_free(grid->bucket);
-    grid->bucket = memory_allocate_zero(grid->buckets, sizeof(*grid->bucket), "placed spheres");
+    hash_start(&grid->by_cell, grid->count + 1, "placed spheres");
+    grid->sphere = memory_resize(grid->sphere, grid->by_cell.room, sizeof(*grid->sphere), "placed spheres");
     for (size_t k = 0; k < grid->count; k++)
-        link_sphere(grid, k);
+        sphere_put(grid, k);
 }
 
 /* Cell of a coordinate, not yet wrapped. */
@@ -97,7 +82,7 @@ static int64_t cell_at(const struct level *level, int d, double x) {
 }
 
 void placegrid_add(struct placegrid *grid, const double x[3], double radius) {
-    if (grid->count == grid->capacity)
+    if (grid->count == grid->by_cell.room)
         grow(grid);
     struct sphere *sphere = &grid->sphere[grid->count];
     *sphere = (struct sphere){.x = {x[0], x[1], x[2]}, .radius = radius, .level = level_of(grid, radius)};
@@ -110,13 +95,14 @@ void placegrid_add(struct placegrid *grid, const double x[3], double radius) {
         if (level->cells[d] && sphere->cell[d] < 0)
             sphere->cell[d] = 0;
     }
-    link_sphere(grid, grid->count++);
+    sphere_put(grid, grid->count++);
 }
 
 static bool cell_touches(const struct placegrid *grid, int level, const int64_t cell[3], const double x[3],
                          double radius) {
-    for (uint32_t k = grid->bucket[bucket_of(grid, level, cell)]; k; k = grid->sphere[k - 1].next) {
-        const struct sphere *sphere = &grid->sphere[k - 1];
+    uint32_t k = hash_first(&grid->by_cell, mix_cell((uint64_t)level, cell));
+    for (; k != HASH_END; k = grid->by_cell.next[k]) {
+        const struct sphere *sphere = &grid->sphere[k];
         double reach = radius + sphere->radius;
         if (sphere->level == level && sphere->cell[0] == cell[0] && sphere->cell[1] == cell[1] &&
             sphere->cell[2] == cell[2] && box_distance2(&grid->box, sphere->x, x) < reach * reach)

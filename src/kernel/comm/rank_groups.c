@@ -3,6 +3,7 @@
 #include "kernel/comm/rank_groups.h"
 
 #include "base/memory.h"
+#include "base/hash.h"
 
 #include <assert.h>
 #include <stdlib.h>
@@ -14,43 +15,31 @@ struct occurrence {
     size_t items;
 };
 
-/* The ranks that occur: found by open addressing, so that time and memory do not depend on the number of
- * ranks of the run. */
+/* The ranks that occur, in a table, so that time and memory do not depend on the number of ranks of the run. */
 struct occurrences {
-    struct occurrence *list;
+    struct occurrence *list; /* room for as many as the table */
     size_t count;
-    uint32_t *slot; /* number + 1 of the rank that hashes here; 0: free */
-    size_t slots;   /* a power of two, more than twice `count` */
+    struct hash by_rank;
 };
 
-static size_t slot_of(const struct occurrences *seen, int rank) {
-    size_t k = (uint32_t)rank * 0x9e3779b9u >> 7 & (seen->slots - 1);
-    while (seen->slot[k] > 0 && seen->list[seen->slot[k] - 1].rank != rank)
-        k = (k + 1) & (seen->slots - 1);
-    return k;
-}
-
 static void occurrences_grow(struct occurrences *seen) {
-    seen->slots = seen->slots > 0 ? 2 * seen->slots : 128;
-    memory_free(seen->slot);
-    seen->slot = memory_allocate_zero(seen->slots, sizeof *seen->slot, "neighbour ranks");
-    seen->list = memory_resize(seen->list, seen->slots / 2, sizeof *seen->list, "neighbour ranks");
+    hash_start(&seen->by_rank, seen->count + 1, "neighbour ranks");
+    seen->list = memory_resize(seen->list, seen->by_rank.room, sizeof *seen->list, "neighbour ranks");
     for (size_t k = 0; k < seen->count; k++)
-        seen->slot[slot_of(seen, seen->list[k].rank)] = (uint32_t)k + 1;
+        hash_put(&seen->by_rank, (uint64_t)seen->list[k].rank, (uint32_t)k);
 }
 
 /* The number of a rank; a new rank gets the next number. */
 static uint32_t number_of(struct occurrences *seen, int rank) {
-    size_t k = slot_of(seen, rank);
-    if (seen->slot[k] == 0) {
-        if (2 * (seen->count + 1) >= seen->slots) {
-            occurrences_grow(seen);
-            k = slot_of(seen, rank);
-        }
-        seen->list[seen->count] = (struct occurrence){.rank = rank, .number = (uint32_t)seen->count};
-        seen->slot[k] = (uint32_t)++seen->count;
-    }
-    return seen->slot[k] - 1;
+    if (seen->count == seen->by_rank.room)
+        occurrences_grow(seen);
+    for (uint32_t k = hash_first(&seen->by_rank, (uint64_t)rank); k != HASH_END; k = seen->by_rank.next[k])
+        if (seen->list[k].rank == rank)
+            return k;
+    uint32_t number = (uint32_t)seen->count++;
+    seen->list[number] = (struct occurrence){.rank = rank, .number = number};
+    hash_put(&seen->by_rank, (uint64_t)rank, number);
+    return number;
 }
 
 static int compare_ranks(const void *a, const void *b) {
@@ -83,7 +72,7 @@ void rank_groups_make(struct groups *groups, const int *rank, size_t n, int size
         groups->item[place[number[k]]++] = (uint32_t)k;
     memory_free(place);
     memory_free(number);
-    memory_free(seen.slot);
+    hash_free(&seen.by_rank);
     memory_free(seen.list);
 }
 

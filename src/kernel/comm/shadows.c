@@ -3,6 +3,7 @@
 #include "kernel/comm/shadows.h"
 
 #include "base/memory.h"
+#include "base/hash.h"
 #include "kernel/particles/fields.h"
 
 #include <assert.h>
@@ -43,44 +44,38 @@ struct spread {
     size_t orders, order_room;
     struct arrival *fresh; /* shadows received in the last round */
     size_t fresh_count, fresh_room;
-    struct head *seen; /* open addressing; owner -1: free */
-    size_t seen_count, seen_room;
+    struct head *seen; /* room for as many as the table */
+    size_t seen_count;
+    struct hash seen_by_key;
 };
 
 static bool same(const struct head *a, const struct head *b) {
     return a->owner == b->owner && a->number == b->number && a->image == b->image;
 }
 
-static size_t seen_slot(const struct spread *spread, const struct head *head) {
-    uint64_t key = ((uint64_t)(uint32_t)head->owner << 32 | head->number) * 0x9e3779b97f4a7c15u;
-    size_t slot = (size_t)((key ^ key >> 29) + head->image * 0x61c88647u) & (spread->seen_room - 1);
-    while (spread->seen[slot].owner >= 0 && !same(&spread->seen[slot], head))
-        slot = (slot + 1) & (spread->seen_room - 1);
-    return slot;
+static uint64_t seen_key(const struct head *head) {
+    return mix_word((uint64_t)(uint32_t)head->owner << 32 | head->number, head->image);
 }
 
 static void seen_grow(struct spread *spread) {
-    struct head *old = spread->seen;
-    size_t room = spread->seen_room;
-    spread->seen_room = room ? 2 * room : 256;
-    spread->seen = memory_allocate(spread->seen_room, sizeof *spread->seen, "shadows seen");
-    for (size_t k = 0; k < spread->seen_room; k++)
-        spread->seen[k].owner = -1;
-    for (size_t k = 0; k < room; k++)
-        if (old[k].owner >= 0)
-            spread->seen[seen_slot(spread, &old[k])] = old[k];
-    memory_free(old);
+    hash_start(&spread->seen_by_key, spread->seen_count + 1, "shadows seen");
+    spread->seen =
+        memory_resize(spread->seen, spread->seen_by_key.room, sizeof *spread->seen, "shadows seen");
+    for (size_t k = 0; k < spread->seen_count; k++)
+        hash_put(&spread->seen_by_key, seen_key(&spread->seen[k]), (uint32_t)k);
 }
 
 /* Notes a shadow; false if the same shadow had come before. */
 static bool seen_put(struct spread *spread, const struct head *head) {
-    if (2 * (spread->seen_count + 1) > spread->seen_room)
+    const struct hash *table = &spread->seen_by_key;
+    if (spread->seen_count == table->room)
         seen_grow(spread);
-    size_t slot = seen_slot(spread, head);
-    if (spread->seen[slot].owner >= 0)
-        return false;
-    spread->seen[slot] = *head;
-    spread->seen_count++;
+    uint64_t key = seen_key(head);
+    for (uint32_t k = hash_first(table, key); k != HASH_END; k = table->next[k])
+        if (same(&spread->seen[k], head))
+            return false;
+    spread->seen[spread->seen_count] = *head;
+    hash_put(&spread->seen_by_key, key, (uint32_t)spread->seen_count++);
     return true;
 }
 
@@ -369,6 +364,7 @@ void shadows_spread(struct shadows *shadows, const struct shadows_place *place, 
     memory_free(spread.to);
     memory_free(spread.fresh);
     memory_free(spread.seen);
+    hash_free(&spread.seen_by_key);
 }
 
 void shadows_free(struct shadows *shadows) {

@@ -4,6 +4,7 @@
 #include "physics/bonds/bonds_state.h"
 #include "kernel/comm/copies.h"
 #include "base/memory.h"
+#include "base/hash.h"
 #include "kernel/particles/groups.h"
 #include <math.h>
 #include <string.h>
@@ -84,38 +85,36 @@ void bonds_compact(struct bonds *bonds) {
     bonds->links = bonds->links > 0 ? kept : 0;
 }
 
-/* Numbers of particles by their ids: open addressing. */
-struct ids {
-    size_t mask;
-    int64_t *id; /* -1: free */
-    uint32_t *number;
+/* The partners of all rows, each by the first row that has it. */
+struct partners {
+    const struct history_rows *rows;
+    uint32_t *number; /* of the partner of a row: a particle here, or BONDS_NOBODY */
+    struct hash by_id;
 };
 
-static size_t ids_place(const struct ids *ids, int64_t id) {
-    size_t at = ((uint64_t)id * UINT64_C(0x9E3779B97F4A7C15)) >> 20 & ids->mask;
-    while (ids->id[at] >= 0 && ids->id[at] != id)
-        at = (at + 1) & ids->mask;
-    return at;
+/* The first row with this partner, or HASH_END. */
+static uint32_t partners_find(const struct partners *partners, int64_t id) {
+    uint32_t k = hash_first(&partners->by_id, (uint64_t)id);
+    while (k != HASH_END && partners->rows->row[k].partner != id)
+        k = partners->by_id.next[k];
+    return k;
 }
 
-/* The ids of all partners, with the numbers of those that are here; an owned particle goes before its copies. */
-static void ids_make(struct ids *ids, const struct history_rows *rows, const struct particles *p) {
-    size_t size = 16;
-    while (size < 2 * rows->count)
-        size *= 2;
-    ids->mask = size - 1;
-    ids->id = memory_allocate(size, sizeof *ids->id, "partners of bonds");
-    ids->number = memory_allocate(size, sizeof *ids->number, "partners of bonds");
-    for (size_t k = 0; k < size; k++) {
-        ids->id[k] = -1;
-        ids->number[k] = BONDS_NOBODY;
+/* An owned particle goes before its copies. */
+static void partners_make(struct partners *partners, const struct history_rows *rows,
+                          const struct particles *p) {
+    *partners = (struct partners){
+        .rows = rows, .number = memory_allocate(rows->count, sizeof *partners->number, "partners of bonds")};
+    hash_start(&partners->by_id, rows->count, "partners of bonds");
+    for (size_t k = 0; k < rows->count; k++) {
+        partners->number[k] = BONDS_NOBODY;
+        if (partners_find(partners, rows->row[k].partner) == HASH_END)
+            hash_put(&partners->by_id, (uint64_t)rows->row[k].partner, (uint32_t)k);
     }
-    for (size_t k = 0; k < rows->count; k++)
-        ids->id[ids_place(ids, rows->row[k].partner)] = rows->row[k].partner;
     for (size_t k = 0; k < p->owned + p->ghosts; k++) {
-        size_t at = ids_place(ids, p->id[k]);
-        if (ids->id[at] >= 0 && ids->number[at] == BONDS_NOBODY)
-            ids->number[at] = (uint32_t)k;
+        uint32_t row = partners_find(partners, p->id[k]);
+        if (row != HASH_END && partners->number[row] == BONDS_NOBODY)
+            partners->number[row] = (uint32_t)k;
     }
 }
 
@@ -147,8 +146,8 @@ static void lost(struct bonds *bonds, size_t i, const struct history_row *row) {
 void bonds_link_all(struct bonds *bonds) {
     const struct particles *p = bonds->context->particles;
     const struct history_rows *rows = &bonds->rows;
-    struct ids ids;
-    ids_make(&ids, rows, p);
+    struct partners partners;
+    partners_make(&partners, rows, p);
     memory_free(bonds->link);
     bonds->link = memory_allocate(rows->count, sizeof *bonds->link, "bonds");
     bonds->links = rows->count;
@@ -156,7 +155,7 @@ void bonds_link_all(struct bonds *bonds) {
         for (size_t k = rows->start[i]; k < rows->start[i + 1]; k++) {
             const struct history_row *row = &rows->row[k];
             struct bonds_link *link = &bonds->link[k];
-            *link = (struct bonds_link){.partner = ids.number[ids_place(&ids, row->partner)],
+            *link = (struct bonds_link){.partner = partners.number[partners_find(&partners, row->partner)],
                                         .lower = row->id < row->partner};
             if (link->partner == BONDS_NOBODY) {
                 link->end = BOND_LOST;
@@ -167,6 +166,6 @@ void bonds_link_all(struct bonds *bonds) {
             link->section = bonds_section(bonds, entry_of(bonds, row), link->lower ? here : link->partner,
                                           link->lower ? link->partner : here);
         }
-    memory_free(ids.id);
-    memory_free(ids.number);
+    memory_free(partners.number);
+    hash_free(&partners.by_id);
 }

@@ -2,6 +2,7 @@
 /* Merges vertices, drops triangles without area, and makes the surface. Read wall_mesh.h first. */
 #include "physics/grains/walls/wall_mesh.h"
 #include "base/memory.h"
+#include "base/hash.h"
 #include <stdlib.h>
 #include <string.h>
 
@@ -13,18 +14,9 @@ static const double weld_relative = 1e-6; /* tolerance / diagonal */
  * cube of its tolerance meets. */
 struct welder {
     struct wall_weld *weld;
-    size_t slots;  /* a power of 2 */
-    int32_t *slot; /* first vertex of a chain, -1: none */
-    int32_t *next; /* of each vertex */
+    struct hash by_cell; /* the vertices */
     struct law_vector lower;
 };
-
-static size_t weld_hash(const int64_t cell[3], size_t slots) {
-    uint64_t h = (uint64_t)cell[0] * 0x9E3779B97F4A7C15u;
-    h = (h ^ (h >> 29) ^ (uint64_t)cell[1]) * 0xBF58476D1CE4E5B9u;
-    h = (h ^ (h >> 32) ^ (uint64_t)cell[2]) * 0x94D049BB133111EBu;
-    return (size_t)(h ^ (h >> 31)) & (slots - 1);
-}
 
 static void weld_cell(const struct welder *w, struct law_vector x, double by, int64_t cell[3]) {
     double width = 4.0 * w->weld->tolerance;
@@ -43,10 +35,11 @@ static int32_t weld_find(const struct welder *w, struct law_vector x) {
     for (cell[2] = low[2]; cell[2] <= high[2]; cell[2]++)
         for (cell[1] = low[1]; cell[1] <= high[1]; cell[1]++)
             for (cell[0] = low[0]; cell[0] <= high[0]; cell[0]++)
-                for (int32_t v = w->slot[weld_hash(cell, w->slots)]; v >= 0; v = w->next[v]) {
+                for (uint32_t v = hash_first(&w->by_cell, mix_cell(0, cell)); v != HASH_END;
+                     v = w->by_cell.next[v]) {
                     struct law_vector d = law_add(w->weld->vertex[v], -1.0, x);
-                    if (law_dot(d, d) <= tolerance * tolerance && (found < 0 || v < found))
-                        found = v;
+                    if (law_dot(d, d) <= tolerance * tolerance && (found < 0 || (int32_t)v < found))
+                        found = (int32_t)v;
                 }
     return found;
 }
@@ -55,23 +48,17 @@ static int32_t weld_add(struct welder *w, struct law_vector x) {
     int64_t cell[3];
     int32_t v = (int32_t)w->weld->vertices++;
     weld_cell(w, x, 0.0, cell);
-    size_t slot = weld_hash(cell, w->slots);
     w->weld->vertex[v] = x;
-    w->next[v] = w->slot[slot];
-    w->slot[slot] = v;
+    hash_put(&w->by_cell, mix_cell(0, cell), (uint32_t)v);
     return v;
 }
 
 /* Numbers the vertices; returns the number of moved corners, and the largest displacement. */
 static size_t weld_run(struct wall_weld *weld, const struct law_vector *corner, size_t corners,
                        struct law_vector lower, double *farthest) {
-    struct welder w = {.weld = weld, .slots = 64, .lower = lower};
+    struct welder w = {.weld = weld, .lower = lower};
     size_t moved = 0;
-    while (w.slots < 2 * corners)
-        w.slots *= 2;
-    w.slot = memory_allocate(w.slots, sizeof *w.slot, "vertices of a mesh");
-    w.next = memory_allocate(corners, sizeof *w.next, "vertices of a mesh");
-    memset(w.slot, 0xff, w.slots * sizeof *w.slot);
+    hash_start(&w.by_cell, corners, "vertices of a mesh");
     *farthest = 0.0;
     for (size_t k = 0; k < corners; k++) {
         int32_t v = weld_find(&w, corner[k]);
@@ -83,8 +70,7 @@ static size_t weld_run(struct wall_weld *weld, const struct law_vector *corner, 
         *farthest = far > *farthest ? far : *farthest;
         weld->corner[k / 3][k % 3] = v;
     }
-    memory_free(w.slot);
-    memory_free(w.next);
+    hash_free(&w.by_cell);
     return moved;
 }
 
