@@ -16,6 +16,7 @@ check_PROGRAMS += \
 	tests/test_error \
 	tests/test_memory \
 	tests/test_random \
+	tests/test_eigen3 \
 	tests/test_hash \
 	tests/test_scan \
 	tests/test_team \
@@ -30,6 +31,8 @@ tests_test_memory_SOURCES = tests/test_memory.c
 tests_test_memory_LDADD = $(CORE_LIBS) $(TEST_LIBS)
 tests_test_random_SOURCES = tests/test_random.c
 tests_test_random_LDADD = $(CORE_LIBS) $(TEST_LIBS)
+tests_test_eigen3_SOURCES = tests/test_eigen3.c
+tests_test_eigen3_LDADD = $(CORE_LIBS) $(TEST_LIBS)
 tests_test_hash_SOURCES = tests/test_hash.c
 tests_test_hash_LDADD = $(CORE_LIBS) $(TEST_LIBS)
 tests_test_scan_SOURCES = tests/test_scan.c

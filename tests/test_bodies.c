@@ -4,6 +4,7 @@
 #include "physics/bodies/moments.h"
 #include "physics/bodies/rotor.h"
 #include "physics/bodies/sums.h"
+#include "base/eigen3.h"
 #include "base/random.h"
 
 #include <math.h>
@@ -187,7 +188,7 @@ static void axes(void **state) {
                 for (int k = 0; k < 3; k++)
                     matrix[3 * d + e] += turn[3 * d + k] * moment[k] * turn[3 * e + k];
             }
-        moments_axes(matrix, value, found);
+        eigen3_axes(matrix, value, found);
         moments_quaternion(found, back);
         rotor_matrix(back, turn);
         for (int k = 0; k < 9; k++)

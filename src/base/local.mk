@@ -3,6 +3,8 @@ noinst_LTLIBRARIES += libcore.la
 libcore_la_SOURCES = \
 	src/base/checksum.c \
 	src/base/checksum.h \
+	src/base/eigen3.c \
+	src/base/eigen3.h \
 	src/base/error.c \
 	src/base/error.h \
 	src/base/exact.c \

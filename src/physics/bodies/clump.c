@@ -4,6 +4,7 @@
 #include "physics/bodies/clump.h"
 #include "physics/bodies/inscribe.h"
 #include "physics/bodies/rotor.h"
+#include "base/eigen3.h"
 #include "base/memory.h"
 #include "base/numbers.h"
 #include <math.h>
@@ -119,7 +120,7 @@ static bool given_take(struct clump *clump, struct moments *moments, const struc
 static bool axes_find(struct clump *clump, const struct moments *moments, const struct scene *scene,
                       int number, struct error *error) {
     double turn[9], *g = clump->gyration;
-    moments_axes(moments->gyration, g, turn);
+    eigen3_axes(moments->gyration, g, turn);
     if (!(g[0] > 0) || g[0] + g[1] < g[2] * (1 - 1e-9))
         return refuse(scene, number, "inertia",
                       "no body has such moments of inertia: the principal ones must be > 0, and none larger "
@@ -153,7 +154,7 @@ static bool shares_find(struct clump *clump, const struct scene *scene, int numb
                 second[3 * d + e] += cube * x[d] * x[e];
         }
     }
-    moments_axes(second, value, turn);
+    eigen3_axes(second, value, turn);
     rotor_turn_back(turn, first, slope);
     for (int d = 0; d < 3; d++)
         slope[d] = value[d] > 1e-12 * total * clump->extent * clump->extent ? -slope[d] / value[d] : 0;

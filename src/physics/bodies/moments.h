@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
-/* Volume, centre and inertia of spheres together, and principal axes. */
+/* Volume, centre and inertia of spheres together, and the quaternion of a rotation. */
 #ifndef SCREE_BODIES_MOMENTS_H
 #define SCREE_BODIES_MOMENTS_H
 
@@ -25,9 +25,6 @@ void moments_union(const struct clump_sphere *sphere, int spheres, struct moment
 /* Of the solid that closed triangles of one orientation bound, corners x y z of each: exact integrals over the
  * tetrahedra between the triangles and the first corner. */
 void moments_solid(const double (*corner)[9], size_t triangles, struct moments *moments);
-
-/* Eigenvalues, from small to large, of a symmetric matrix, and its axes as the columns of a rotation (Jacobi). */
-void moments_axes(const double matrix[9], double value[3], double turn[9]);
 
 /* The unit quaternion (w, x, y, z) of a rotation matrix. */
 void moments_quaternion(const double turn[9], double q[4]);

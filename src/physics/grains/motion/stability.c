@@ -3,6 +3,7 @@
 #include "physics/grains/motion/stability.h"
 #include "kernel/particles/material.h"
 #include "kernel/particles/spin.h"
+#include "base/eigen3.h"
 #include "base/memory.h"
 #include "physics/grains/motion/timestep.h"
 #include <math.h>
@@ -157,25 +158,11 @@ void stability_walls(struct stability *s, const struct force_context *context,
     }
 }
 
-/* The largest eigenvalue of a symmetric 3 x 3 matrix, xx yy zz xy xz yz, in closed form. */
-static double largest_of(const double m[6]) {
-    double mean = (m[0] + m[1] + m[2]) / 3.0;
-    double x = m[0] - mean, y = m[1] - mean, z = m[2] - mean;
-    double off = m[3] * m[3] + m[4] * m[4] + m[5] * m[5];
-    double size = sqrt((x * x + y * y + z * z + 2.0 * off) / 6.0);
-    if (!(size > 1e-12 * fabs(mean)))
-        return mean + 2.0 * size;
-    double determinant =
-        x * (y * z - m[5] * m[5]) - m[3] * (m[3] * z - m[5] * m[4]) + m[4] * (m[3] * m[5] - y * m[4]);
-    double cosine = fmin(fmax(0.5 * determinant / (size * size * size), -1.0), 1.0);
-    return mean + 2.0 * size * cos(acos(cosine) / 3.0);
-}
-
 double stability_eigenvalue(const double *sum, int sums) {
-    double push = largest_of(sum);
+    double push = eigen3_largest(sum);
     if (sums == STABILITY_PUSH)
         return push;
-    double turn = largest_of(sum + 6), half = 0.5 * (push - turn);
+    double turn = eigen3_largest(sum + 6), half = 0.5 * (push - turn);
     double couple = sum[12] * sum[12] + sum[13] * sum[13] + sum[14] * sum[14];
     return 0.5 * (push + turn) + sqrt(half * half + couple);
 }
