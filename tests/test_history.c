@@ -36,15 +36,15 @@ static void history_fill(const struct cloud *c, struct history *history) {
         history_reserve(history, t, c->list->pair_count);
         struct history_part *part = &history->part[1 - history->now][t];
         part->count = 0;
-        for (int b = c->list->thread_block[t]; b < c->list->thread_block[t + 1]; b++)
-            for (size_t k = c->list->blocks[b].first_pair; k < c->list->blocks[b].end_pair; k++) {
-                if (!holds_record(c, k))
-                    continue;
-                part->pair[part->count] = (uint32_t)(k - first);
-                for (int d = 0; d < 3; d++)
-                    part->value[3 * part->count + (size_t)d] = expected(c, k, d);
-                part->count++;
-            }
+        struct pair_visit pair = pairlist_thread(c->list, t);
+        while (pairlist_each(c->list, &pair)) {
+            if (!holds_record(c, pair.k))
+                continue;
+            part->pair[part->count] = (uint32_t)(pair.k - first);
+            for (int d = 0; d < 3; d++)
+                part->value[3 * part->count + (size_t)d] = expected(c, pair.k, d);
+            part->count++;
+        }
     }
     history_flip(history);
 }
@@ -53,16 +53,16 @@ static void history_compare(const struct cloud *c, const struct history *history
     for (int t = 0; t < c->list->threads; t++) {
         const struct history_part *part = &history->part[history->now][t];
         size_t first = pairlist_thread_first(c->list, t), at = 0;
-        for (int b = c->list->thread_block[t]; b < c->list->thread_block[t + 1]; b++)
-            for (size_t k = c->list->blocks[b].first_pair; k < c->list->blocks[b].end_pair; k++) {
-                if (!holds_record(c, k))
-                    continue;
-                assert_true(at < part->count);
-                assert_int_equal(part->pair[at], k - first);
-                for (int d = 0; d < 3; d++)
-                    assert_true(part->value[3 * at + (size_t)d] == expected(c, k, d));
-                at++;
-            }
+        struct pair_visit pair = pairlist_thread(c->list, t);
+        while (pairlist_each(c->list, &pair)) {
+            if (!holds_record(c, pair.k))
+                continue;
+            assert_true(at < part->count);
+            assert_int_equal(part->pair[at], pair.k - first);
+            for (int d = 0; d < 3; d++)
+                assert_true(part->value[3 * at + (size_t)d] == expected(c, pair.k, d));
+            at++;
+        }
         assert_int_equal(at, part->count);
     }
 }

@@ -107,14 +107,11 @@ static double distance(const struct cloud *c, size_t i, size_t j) {
 /* How often pair (i, j) counts for the particle of that number, by its list. */
 static void lists_count(const struct pairlist *list, uint8_t (*met)[COUNT]) {
     memset(met, 0, COUNT * sizeof *met);
-    for (int b = 0; b < list->block_count; b++) {
-        const struct pair_block *block = &list->blocks[b];
-        for (size_t k = block->first_pair; k < block->end_pair; k++) {
-            uint32_t i = list->i[k], j = pair_partner(list->j[k]);
-            met[i][j]++;
-            if (k < block->one_sided || k >= block->slotted)
-                met[j][i]++;
-        }
+    struct pair_visit pair = pairlist_all(list);
+    while (pairlist_each(list, &pair)) {
+        met[pair.i][pair.j]++;
+        if (!pair_gives_one(&pair))
+            met[pair.j][pair.i]++;
     }
 }
 

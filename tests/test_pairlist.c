@@ -11,14 +11,11 @@ static int64_t *shares(const struct cloud *c) {
     const struct pairlist *list = c->list;
     const int64_t *id = c->particles->id;
     int64_t *share = memory_allocate_zero(c->view.total, sizeof *share, "test");
-    for (int b = 0; b < list->block_count; b++) {
-        const struct pair_block *block = &list->blocks[b];
-        for (size_t k = block->first_pair; k < block->end_pair; k++) {
-            uint32_t i = list->i[k], j = pair_partner(list->j[k]);
-            share[i] += id[j] * (1 + pair_image(list->j[k]));
-            if (k < block->one_sided || k >= block->slotted)
-                share[j] += id[i] * (1 + image_opposite(pair_image(list->j[k])));
-        }
+    struct pair_visit pair = pairlist_all(list);
+    while (pairlist_each(list, &pair)) {
+        share[pair.i] += id[pair.j] * (1 + pair.image);
+        if (!pair_gives_one(&pair))
+            share[pair.j] += id[pair.i] * (1 + image_opposite(pair.image));
     }
     return share;
 }
@@ -77,6 +74,40 @@ static void test_any_thread_count_gives_each_particle_the_same(void **state) {
 }
 
 /* No two threads write to the same particle or slot. */
+/* The loop over pairs meets each pair of the blocks once, in their order, with its image and its segment. */
+static void test_each_pair_is_visited_once(void **state) {
+    (void)state;
+    struct cloud c = {0};
+    cloud_fill(&c, 800, 160);
+    cloud_search(&c, 3, true);
+    const struct pairlist *list = c.list;
+    struct pair_visit all = pairlist_all(list);
+    int segments[3] = {0};
+    for (int t = 0; t < 3; t++) {
+        struct pair_visit thread = pairlist_thread(list, t);
+        for (int b = list->thread_block[t]; b < list->thread_block[t + 1]; b++) {
+            const struct pair_block *block = &list->blocks[b];
+            struct pair_visit one = pairlist_block(b), *visit[] = {&all, &thread, &one};
+            for (size_t k = block->first_pair; k < block->end_pair; k++)
+                for (int v = 0; v < 3; v++) {
+                    assert_true(pairlist_each(list, visit[v]));
+                    assert_true(visit[v]->k == k && visit[v]->number == b && visit[v]->block == block);
+                    assert_true(visit[v]->i == list->i[k]);
+                    assert_true((visit[v]->j | visit[v]->image << PARTICLE_INDEX_BITS) == list->j[k]);
+                    assert_int_equal(pair_gives_both(visit[v]), k < block->one_sided);
+                    assert_int_equal(pair_gives_slot(visit[v]), k >= block->slotted);
+                    segments[pair_gives_one(visit[v]) + 2 * pair_gives_slot(visit[v])]++;
+                }
+            assert_false(pairlist_each(list, &one));
+        }
+        assert_false(pairlist_each(list, &thread));
+    }
+    assert_false(pairlist_each(list, &all));
+    assert_true(segments[0] > 0 && segments[1] > 0 && segments[2] > 0);
+    cloud_free(&c);
+    particles_destroy(&c.particles);
+}
+
 static void test_threads_own_what_they_write(void **state) {
     (void)state;
     struct cloud c = {0};
@@ -86,17 +117,15 @@ static void test_threads_own_what_they_write(void **state) {
     for (size_t k = 0; k < c.view.total; k++)
         writer[k] = -1;
     for (int t = 0; t < 3; t++) {
-        for (int b = c.list->thread_block[t]; b < c.list->thread_block[t + 1]; b++) {
-            const struct pair_block *block = &c.list->blocks[b];
-            for (size_t k = block->first_pair; k < block->end_pair; k++) {
-                uint32_t end[2] = {c.list->i[k], pair_partner(c.list->j[k])};
-                for (int e = 0; e < (k < block->one_sided ? 2 : 1); e++) {
-                    assert_true(writer[end[e]] == -1 || writer[end[e]] == t);
-                    writer[end[e]] = t;
-                }
-                if (k >= block->slotted)
-                    assert_int_equal(c.list->busy[c.list->slot_of[end[1]]], end[1]);
+        struct pair_visit pair = pairlist_thread(c.list, t);
+        while (pairlist_each(c.list, &pair)) {
+            uint32_t end[2] = {pair.i, pair.j};
+            for (int e = 0; e < (pair_gives_both(&pair) ? 2 : 1); e++) {
+                assert_true(writer[end[e]] == -1 || writer[end[e]] == t);
+                writer[end[e]] = t;
             }
+            if (pair_gives_slot(&pair))
+                assert_int_equal(c.list->busy[c.list->slot_of[end[1]]], end[1]);
         }
     }
     memory_free(writer);
@@ -136,6 +165,7 @@ static void test_skin_is_due_by_class_pairs(void **state) {
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_any_thread_count_gives_each_particle_the_same),
+        cmocka_unit_test(test_each_pair_is_visited_once),
         cmocka_unit_test(test_threads_own_what_they_write),
         cmocka_unit_test(test_skin_is_due_by_class_pairs),
     };

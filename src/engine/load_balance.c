@@ -27,10 +27,10 @@ static double weights_by_pairs(const struct simulation *s, double *weight) {
     double sum = 0;
     for (size_t k = 0; k < owned; k++)
         weight[k] = 1;
-    for (int b = 0; b < list->block_count; b++)
-        for (size_t p = list->blocks[b].first_pair; p < list->blocks[b].end_pair; p++)
-            if (list->i[p] < owned)
-                weight[list->i[p]] += 0.5;
+    struct pair_visit pair = pairlist_all(list);
+    while (pairlist_each(list, &pair))
+        if (pair.i < owned)
+            weight[pair.i] += 0.5;
     for (size_t k = 0; k < owned; k++)
         sum += weight[k];
     return sum;

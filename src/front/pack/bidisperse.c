@@ -62,20 +62,19 @@ static bool place_large(struct pack_work *work, struct error *error) {
 static void mark_overlaps(const struct pack_search *search, uint8_t *remove) {
     const struct pairlist *list = search->list;
     const struct particle_state *state = search->particles->state;
-    for (int b = 0; b < list->block_count; b++)
-        for (size_t k = list->blocks[b].first_pair; k < list->blocks[b].end_pair; k++) {
-            uint32_t i = list->i[k], j = pair_partner(list->j[k]);
-            const double *shift = list->shift[pair_image(list->j[k])];
-            double square = 0, touch = state[i].radius + state[j].radius;
-            if (state[i].radius == state[j].radius)
-                continue;
-            for (int c = 0; c < 3; c++) {
-                double d = state[j].x[c] - state[i].x[c] + shift[c];
-                square += d * d;
-            }
-            if (square < touch * touch)
-                remove[state[i].radius < state[j].radius ? i : j] = 1;
+    struct pair_visit pair = pairlist_all(list);
+    while (pairlist_each(list, &pair)) {
+        const struct particle_state *i = &state[pair.i], *j = &state[pair.j];
+        double square = 0, touch = i->radius + j->radius;
+        if (i->radius == j->radius)
+            continue;
+        for (int c = 0; c < 3; c++) {
+            double d = j->x[c] - i->x[c] + list->shift[pair.image][c];
+            square += d * d;
         }
+        if (square < touch * touch)
+            remove[i->radius < j->radius ? pair.i : pair.j] = 1;
+    }
 }
 
 static bool remove_overlaps(struct pack_work *work, struct error *error) {

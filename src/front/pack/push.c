@@ -63,23 +63,22 @@ static inline void push_add(struct push_sum *sum, const struct pair_push *pair, 
     sum->stiffest = pair->stiffness > sum->stiffest ? pair->stiffness : sum->stiffest;
 }
 
-/* The pairs of a block; returns the largest overlap. */
-static double push_block(struct pushes *pushes, const struct pack_search *search,
-                         const struct pair_block *block, struct push_sum *slot) {
+/* The pairs of a thread; returns the largest overlap. */
+static double push_thread(struct pushes *pushes, const struct pack_search *search, int t) {
     const struct pairlist *list = search->list;
     const struct particle_state *state = search->particles->state;
     double largest = 0;
-    for (size_t k = block->first_pair; k < block->end_pair; k++) {
-        struct pair_push pair;
-        uint32_t i = list->i[k], j = pair_partner(list->j[k]);
-        if (!pair_pushes(pushes, &state[i], &state[j], list->shift[pair_image(list->j[k])], &pair))
+    struct pair_visit pair = pairlist_thread(list, t);
+    while (pairlist_each(list, &pair)) {
+        struct pair_push push;
+        if (!pair_pushes(pushes, &state[pair.i], &state[pair.j], list->shift[pair.image], &push))
             continue;
-        largest = fmax(largest, pair.overlap);
-        push_add(&pushes->sum[i], &pair, -1);
-        if (k < block->one_sided)
-            push_add(&pushes->sum[j], &pair, 1);
-        else if (k >= block->slotted)
-            push_add(&slot[list->slot_of[j]], &pair, 1);
+        largest = fmax(largest, push.overlap);
+        push_add(&pushes->sum[pair.i], &push, -1);
+        if (pair_gives_both(&pair))
+            push_add(&pushes->sum[pair.j], &push, 1);
+        else if (pair_gives_slot(&pair))
+            push_add(&pushes->slot[t][list->slot_of[pair.j]], &push, 1);
     }
     return largest;
 }
@@ -102,8 +101,7 @@ double push_all(struct pushes *pushes, const struct pack_search *search) {
     prepare_slots(pushes, list->slot_count);
 #pragma omp parallel for schedule(static, 1) reduction(max : largest)
     for (int t = 0; t < list->threads; t++)
-        for (int b = list->thread_block[t]; b < list->thread_block[t + 1]; b++)
-            largest = fmax(largest, push_block(pushes, search, &list->blocks[b], pushes->slot[t]));
+        largest = fmax(largest, push_thread(pushes, search, t));
     for (size_t s = 0; s < list->slot_count; s++) {
         struct push_sum *sum = &pushes->sum[list->busy[s]];
         for (int t = 0; t < list->threads; t++) {

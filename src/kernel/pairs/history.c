@@ -357,21 +357,18 @@ static void attach_thread(struct history *history, const struct attach *a, int t
     size_t first = pairlist_thread_first(list, t);
     size_t components = (size_t)history->components;
     part->count = 0;
-    for (int b = list->thread_block[t]; b < list->thread_block[t + 1]; b++) {
-        for (size_t k = list->blocks[b].first_pair; k < list->blocks[b].end_pair; k++) {
-            const struct history_row *row = pair_find(a, k);
-            if (row == NULL)
-                continue;
-            part_reserve(part, history->components, part->count + 1);
-            int64_t id_i = a->particles->id[list->i[k]], id_j = a->particles->id[pair_partner(list->j[k])];
-            double sign = id_i < id_j ? 1 : -1;
-            assert(k - first <= UINT32_MAX);
-            part->pair[part->count] = (uint32_t)(k - first);
-            for (size_t c = 0; c < components; c++)
-                part->value[part->count * components + c] =
-                    (c < (size_t)history->odd ? sign : 1) * row->value[c];
-            part->count++;
-        }
+    struct pair_visit pair = pairlist_thread(list, t);
+    while (pairlist_each(list, &pair)) {
+        const struct history_row *row = pair_find(a, pair.k);
+        if (row == NULL)
+            continue;
+        part_reserve(part, history->components, part->count + 1);
+        double sign = a->particles->id[pair.i] < a->particles->id[pair.j] ? 1 : -1;
+        assert(pair.k - first <= UINT32_MAX);
+        part->pair[part->count] = (uint32_t)(pair.k - first);
+        for (size_t c = 0; c < components; c++)
+            part->value[part->count * components + c] = (c < (size_t)history->odd ? sign : 1) * row->value[c];
+        part->count++;
     }
 }
 

@@ -137,8 +137,9 @@ static size_t thread_select(struct pairlist *list, const struct pairlist *from, 
         own->one_sided = at = part_select(list, from, view, margin, block->first_pair, block->one_sided, at);
         own->slotted = at = part_select(list, from, view, margin, block->one_sided, block->slotted, at);
         own->end_pair = at = part_select(list, from, view, margin, block->slotted, block->end_pair, at);
-        for (size_t k = own->first_pair; own->kind != PAIR_BLOCK_MIRROR && k < at; k++)
-            *primary += list->i[k] < view->owned;
+        struct pair_visit pair = pairlist_block(b);
+        while (own->kind != PAIR_BLOCK_MIRROR && pairlist_each(list, &pair))
+            *primary += pair.i < view->owned;
     }
     return at - first;
 }
@@ -217,16 +218,14 @@ static void row_add(const struct rows_visit *visit, size_t *next, uint32_t partn
  * the pair. */
 static void rows_visit(const struct rows_visit *visit, int thread) {
     const struct pairlist *list = visit->list;
-    for (int b = list->thread_block[thread]; b < list->thread_block[thread + 1]; b++) {
-        const struct pair_block *block = &list->blocks[b];
-        for (size_t k = block->first_pair; k < block->end_pair; k++) {
-            uint32_t i = list->i[k], j = pair_partner(list->j[k]);
-            uint32_t back = i | image_opposite(pair_image(list->j[k])) << PARTICLE_INDEX_BITS;
-            row_add(visit, &visit->next[i], list->j[k]);
-            if (j >= visit->owned || (k >= block->one_sided && k < block->slotted))
-                continue;
-            row_add(visit, k < block->one_sided ? &visit->next[j] : &visit->slot[list->slot_of[j]], back);
-        }
+    struct pair_visit pair = pairlist_thread(list, thread);
+    while (pairlist_each(list, &pair)) {
+        uint32_t back = pair.i | image_opposite(pair.image) << PARTICLE_INDEX_BITS;
+        row_add(visit, &visit->next[pair.i], list->j[pair.k]);
+        if (pair.j >= visit->owned || pair_gives_one(&pair))
+            continue;
+        size_t *next = pair_gives_both(&pair) ? &visit->next[pair.j] : &visit->slot[list->slot_of[pair.j]];
+        row_add(visit, next, back);
     }
 }
 

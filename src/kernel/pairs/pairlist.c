@@ -140,11 +140,12 @@ size_t pairlist_memory(const struct pairlist *list) {
     return bytes;
 }
 
-/* How far the two of pair k are beyond their margin; infinite for classes that are not wanted. */
-static double pair_gap(const struct pairlist *list, const struct index_view *view, size_t k) {
-    uint32_t i = list->i[k], j = pair_partner(list->j[k]);
+/* How far the two of a pair are beyond their margin; infinite for classes that are not wanted. */
+static double pair_gap(const struct pairlist *list, const struct index_view *view,
+                       const struct pair_visit *pair) {
+    uint32_t i = pair->i, j = pair->j;
     const double *xi = view->position + i * view->stride, *xj = view->position + j * view->stride;
-    const double *shift = list->shift[pair_image(list->j[k])];
+    const double *shift = list->shift[pair->image];
     double d2 = 0;
     for (int d = 0; d < 3; d++) {
         double dx = xj[d] + shift[d] - xi[d];
@@ -156,18 +157,17 @@ static double pair_gap(const struct pairlist *list, const struct index_view *vie
 }
 
 bool pairlist_valid(const struct pairlist *list, const struct index_view *view, char *why, size_t why_size) {
-    for (int b = 0; b < list->block_count; b++) {
-        const struct pair_block *block = &list->blocks[b];
-        for (size_t k = block->first_pair; k < block->end_pair; k++) {
-            uint32_t i = list->i[k], j = pair_partner(list->j[k]);
-            bool inside = i < view->total && j < view->total && i != j;
-            bool row = block->kind != PAIR_BLOCK_ROWS || (i >= block->first_row && i < block->last_row);
-            if (inside && row && pair_gap(list, view, k) <= 1e-9 * view->radius[i * view->stride])
-                continue;
-            snprintf(why, why_size, "block %d (rows %u ... %u): pair %zu is (%u, %u)", b, block->first_row,
-                     block->last_row, k, i, j);
-            return false;
-        }
+    struct pair_visit pair = pairlist_all(list);
+    while (pairlist_each(list, &pair)) {
+        const struct pair_block *block = pair.block;
+        uint32_t i = pair.i, j = pair.j;
+        bool inside = i < view->total && j < view->total && i != j;
+        bool row = block->kind != PAIR_BLOCK_ROWS || (i >= block->first_row && i < block->last_row);
+        if (inside && row && pair_gap(list, view, &pair) <= 1e-9 * view->radius[i * view->stride])
+            continue;
+        snprintf(why, why_size, "block %d (rows %u ... %u): pair %zu is (%u, %u)", pair.number,
+                 block->first_row, block->last_row, pair.k, i, j);
+        return false;
     }
     return true;
 }
@@ -190,13 +190,19 @@ static uint32_t image_joined(uint32_t i, uint32_t code, size_t owned, const uint
     return j | sum << PARTICLE_INDEX_BITS;
 }
 
+/* Before the first pair of a thread with a copy. */
+static struct pair_visit ghost_block(const struct pairlist *list, int t) {
+    int block = list->thread_block[t + 1] - 1;
+    assert(list->blocks[block].kind == PAIR_BLOCK_GHOST);
+    return pairlist_block(block);
+}
+
 void pairlist_add_images(struct pairlist *list, size_t owned, const uint8_t *image) {
 #pragma omp parallel for schedule(static, 1)
     for (int t = 0; t < list->threads; t++) {
-        const struct pair_block *block = &list->blocks[list->thread_block[t + 1] - 1];
-        assert(block->kind == PAIR_BLOCK_GHOST);
-        for (size_t k = block->first_pair; k < block->end_pair; k++)
-            list->j[k] = image_joined(list->i[k], list->j[k], owned, image);
+        struct pair_visit pair = ghost_block(list, t);
+        while (pairlist_each(list, &pair))
+            list->j[pair.k] = image_joined(pair.i, list->j[pair.k], owned, image);
     }
 }
 
@@ -210,11 +216,10 @@ static void mark_copy(uint8_t *used, uint32_t k, size_t owned) {
 void pairlist_mark_copies(const struct pairlist *list, size_t owned, uint8_t *used) {
 #pragma omp parallel for schedule(static, 1)
     for (int t = 0; t < list->threads; t++) {
-        const struct pair_block *block = &list->blocks[list->thread_block[t + 1] - 1];
-        assert(block->kind == PAIR_BLOCK_GHOST);
-        for (size_t k = block->first_pair; k < block->end_pair; k++) {
-            mark_copy(used, list->i[k], owned);
-            mark_copy(used, pair_partner(list->j[k]), owned);
+        struct pair_visit pair = ghost_block(list, t);
+        while (pairlist_each(list, &pair)) {
+            mark_copy(used, pair.i, owned);
+            mark_copy(used, pair.j, owned);
         }
     }
 }

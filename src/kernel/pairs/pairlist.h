@@ -129,4 +129,68 @@ bool pairlist_valid(const struct pairlist *list, const struct index_view *view, 
  * own thread team. */
 void pairlist_mark_copies(const struct pairlist *list, size_t owned, uint8_t *used);
 
+/* One loop over pairs, for all that need neither a batch of pairs nor its fields (else: walk.h):
+ *
+ *   struct pair_visit pair = pairlist_thread(list, t);
+ *   while (pairlist_each(list, &pair))
+ *       ... pair.i, pair.j ...
+ *
+ * Pairs come in the order of the list: block after block of the thread, the mirror block and the ghost block last. */
+struct pair_visit {
+    size_t k;       /* number of the pair in the list */
+    uint32_t i, j;  /* row and partner, without image code */
+    unsigned image; /* of j: image code */
+    int number;     /* of the block of the pair */
+    const struct pair_block *block;
+    size_t end; /* of the pairs of the block */
+    int last;   /* number of the last block of the loop */
+};
+
+/* Before the first pair of blocks [first, end). */
+static inline struct pair_visit pairlist_blocks(int first, int end) {
+    return (struct pair_visit){.k = SIZE_MAX, .number = first - 1, .last = end - 1};
+}
+
+/* Before the first pair of one block. */
+static inline struct pair_visit pairlist_block(int block) {
+    return pairlist_blocks(block, block + 1);
+}
+
+/* Before the first pair of a thread. */
+static inline struct pair_visit pairlist_thread(const struct pairlist *list, int thread) {
+    return pairlist_blocks(list->thread_block[thread], list->thread_block[thread + 1]);
+}
+
+/* Before the first pair of the list, thread after thread. */
+static inline struct pair_visit pairlist_all(const struct pairlist *list) {
+    return pairlist_blocks(0, list->block_count);
+}
+
+/* Goes on to the next pair; false: there is none. */
+static inline bool pairlist_each(const struct pairlist *list, struct pair_visit *pair) {
+    pair->k++;
+    while (pair->k >= pair->end) {
+        if (pair->number == pair->last)
+            return false;
+        pair->block = &list->blocks[++pair->number];
+        pair->k = pair->block->first_pair;
+        pair->end = pair->block->end_pair;
+    }
+    pair->i = list->i[pair->k];
+    pair->j = pair_partner(list->j[pair->k]);
+    pair->image = pair_image(list->j[pair->k]);
+    return true;
+}
+
+/* The segment of the pair (pairlist.h): who gets what the pair gives. Of `both`, `one` and `slot` one is true. */
+static inline bool pair_gives_both(const struct pair_visit *pair) {
+    return pair->k < pair->block->one_sided;
+}
+static inline bool pair_gives_slot(const struct pair_visit *pair) {
+    return pair->k >= pair->block->slotted;
+}
+static inline bool pair_gives_one(const struct pair_visit *pair) {
+    return !pair_gives_both(pair) && !pair_gives_slot(pair);
+}
+
 #endif

@@ -48,12 +48,12 @@ static void lasts_find(struct ring_thread *thread, const struct pairlist *list, 
             last[row / SWEEP_GRAIN] = number;
         if (block->last_row > block->first_row)
             last[(block->last_row - 1) / SWEEP_GRAIN] = number;
-        for (size_t k = block->first_pair; k < block->end_pair; k++) {
-            uint32_t i = list->i[k], j = pair_partner(list->j[k]);
-            if (j < owned)
-                last[j / SWEEP_GRAIN] = number;
-            if (block->kind != PAIR_BLOCK_ROWS && i < owned)
-                last[i / SWEEP_GRAIN] = number;
+        struct pair_visit pair = pairlist_block(b);
+        while (pairlist_each(list, &pair)) {
+            if (pair.j < owned)
+                last[pair.j / SWEEP_GRAIN] = number;
+            if (block->kind != PAIR_BLOCK_ROWS && pair.i < owned)
+                last[pair.i / SWEEP_GRAIN] = number;
         }
     }
 }
@@ -182,9 +182,10 @@ static const char *thread_check(const struct ring *ring, const struct pairlist *
     for (int b = list->thread_block[t]; b < list->thread_block[t + 1]; b++) {
         const struct ring_thread *thread = &ring->thread[t];
         uint32_t number = (uint32_t)(b - list->thread_block[t]);
-        for (size_t k = list->blocks[b].first_pair; k < list->blocks[b].end_pair; k++)
+        struct pair_visit pair = pairlist_block(b);
+        while (pairlist_each(list, &pair))
             for (int side = 0; side < 2; side++) {
-                *wrong = side ? pair_partner(list->j[k]) : list->i[k];
+                *wrong = side ? pair.j : pair.i;
                 if ((what = record_use(ring, check, *wrong, t, number)))
                     return what;
             }

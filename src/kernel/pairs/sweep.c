@@ -37,15 +37,14 @@ static void early_mark_one(struct sweep *sweep, uint32_t k) {
 }
 
 /* Marks the particles that other threads read in a block of kind MIRROR or GHOST. */
-static void early_mark_block(struct sweep *sweep, const struct pairlist *list, const struct pair_block *block,
-                             size_t owned) {
-    bool mirror = block->kind == PAIR_BLOCK_MIRROR;
-    for (size_t k = block->first_pair; k < block->end_pair; k++) {
-        uint32_t i = list->i[k], j = pair_partner(list->j[k]);
+static void early_mark_block(struct sweep *sweep, const struct pairlist *list, int b, size_t owned) {
+    bool mirror = list->blocks[b].kind == PAIR_BLOCK_MIRROR;
+    struct pair_visit pair = pairlist_block(b);
+    while (pairlist_each(list, &pair)) {
         if (mirror)
-            early_mark_one(sweep, i);
-        if (mirror || i >= owned)
-            early_mark_one(sweep, j); /* beside a copy: the mirror image of a pair of another thread */
+            early_mark_one(sweep, pair.i);
+        if (mirror || pair.i >= owned)
+            early_mark_one(sweep, pair.j); /* beside a copy: the mirror image of a pair of another thread */
     }
 }
 
@@ -65,7 +64,7 @@ static void early_mark(struct sweep *sweep, const struct pairlist *list, size_t 
         for (int t = 0; t < list->threads; t++)
             for (int b = list->thread_block[t]; b < list->thread_block[t + 1]; b++)
                 if (list->blocks[b].kind != PAIR_BLOCK_ROWS)
-                    early_mark_block(sweep, list, &list->blocks[b], owned);
+                    early_mark_block(sweep, list, b, owned);
 #pragma omp for schedule(static) nowait
         for (size_t s = 0; s < list->slot_count; s++)
             if (list->busy[s] < owned)
@@ -96,11 +95,10 @@ static void uses_find(struct sweep_thread *thread, const struct pairlist *list, 
         const struct pair_block *block = &list->blocks[b];
         const uint32_t number = (uint32_t)(b - list->thread_block[t]);
         const bool ghosts = block->kind == PAIR_BLOCK_GHOST;
-        for (size_t k = block->first_pair; k < block->end_pair; k++) {
-            uint32_t j = pair_partner(list->j[k]);
-            if (!ghosts || j < owned)
-                use[j / SWEEP_GRAIN] = number;
-        }
+        struct pair_visit pair = pairlist_block(b);
+        while (pairlist_each(list, &pair))
+            if (!ghosts || pair.j < owned)
+                use[pair.j / SWEEP_GRAIN] = number;
         for (uint32_t row = block->first_row; row < block->last_row; row += SWEEP_GRAIN)
             use[row / SWEEP_GRAIN] = number;
         if (block->last_row > block->first_row)
@@ -204,16 +202,16 @@ static bool moves_note(const struct sweep *sweep, const struct pairlist *list, s
 
 static bool moves_precede(const struct pairlist *list, const struct sweep_moves *moves, size_t owned,
                           uint32_t *late) {
-    for (int t = 0; t < list->threads; t++)
-        for (int b = list->thread_block[t]; b < list->thread_block[t + 1]; b++)
-            for (size_t k = list->blocks[b].first_pair; k < list->blocks[b].end_pair; k++)
-                for (int side = 0; side < 2; side++) {
-                    uint32_t p = side ? pair_partner(list->j[k]) : list->i[k];
-                    *late = p;
-                    if (p < owned && moves->when[p] > 0 &&
-                        (moves->thread[p] != t || moves->when[p] > (uint32_t)(b - list->thread_block[t]) + 1))
-                        return false;
-                }
+    for (int t = 0; t < list->threads; t++) {
+        struct pair_visit pair = pairlist_thread(list, t);
+        while (pairlist_each(list, &pair))
+            for (int side = 0; side < 2; side++) {
+                uint32_t p = side ? pair.j : pair.i, block = (uint32_t)(pair.number - list->thread_block[t]);
+                *late = p;
+                if (p < owned && moves->when[p] > 0 && (moves->thread[p] != t || moves->when[p] > block + 1))
+                    return false;
+            }
+    }
     return true;
 }
 

@@ -1,5 +1,7 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
-/* The walk over pairs: the one traversal of the pair list that every sum over neighbours goes through.
+/* The walk over pairs: it gathers what a batch of near pairs needs. Contacts, heat, density and porosity go through it.
+ * A loop that needs no batch, as most of a rebuild and of output do, uses pairlist_each (pairlist.h). The fluid
+ * makes rows of both sides (pair_rows_build).
  *
  * A block of the list (pairlist.h) goes through these stages:
  *

@@ -38,12 +38,12 @@ static struct history_row row_of(int64_t id, int64_t partner, const double separ
 
 /* A pair of the list that is near enough, and does not move as one by order, gets a row at each end that this
  * rank owns; the row of a copy goes to `away`. */
-static void pair_join(const struct bonds *bonds, const struct pairlist *list, size_t k, struct heap *here,
-                      struct heap *away) {
+static void pair_join(const struct bonds *bonds, const struct pairlist *list, const struct pair_visit *pair,
+                      struct heap *here, struct heap *away) {
     const struct particles *p = bonds->context->particles;
-    uint32_t i = list->i[k], j = pair_partner(list->j[k]);
+    uint32_t i = pair->i, j = pair->j;
     const struct particle_state *a = &p->state[i], *b = &p->state[j];
-    const double *shift = list->shift[pair_image(list->j[k])];
+    const double *shift = list->shift[pair->image];
     double apart[3], square = 0.0, reach = a->radius + b->radius + bonds->options->gap;
     for (int d = 0; d < 3; d++) {
         apart[d] = (b->x[d] - a->x[d]) + shift[d];
@@ -66,11 +66,10 @@ static void pair_join(const struct bonds *bonds, const struct pairlist *list, si
 
 static void pairs_join(const struct bonds *bonds, struct heap *here, struct heap *away) {
     const struct pairlist *list = bonds->context->list[0];
-    for (int b = 0; b < list->block_count; b++) {
-        const struct pair_block *block = &list->blocks[b];
-        for (size_t k = block->first_pair; block->kind != PAIR_BLOCK_MIRROR && k < block->end_pair; k++)
-            pair_join(bonds, list, k, here, away);
-    }
+    struct pair_visit pair = pairlist_all(list);
+    while (pairlist_each(list, &pair))
+        if (pair.block->kind != PAIR_BLOCK_MIRROR)
+            pair_join(bonds, list, &pair, here, away);
 }
 
 static int row_order(const void *a, const void *b) {

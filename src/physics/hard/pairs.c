@@ -30,15 +30,16 @@ void hard_pairs_free(struct hard_pairs *pairs) {
     history_rows_free(&pairs->rows);
 }
 
-/* True if this rank solves pair k of the list, which stands in a block of rows or of copies. */
-static bool is_mine(const struct pairlist *list, const struct particles *p, bool newton, size_t k) {
-    uint32_t i = list->i[k], j = pair_partner(list->j[k]);
+/* True if this rank solves a pair of the list, which stands in a block of rows or of copies. */
+static bool is_mine(const struct pairlist *list, const struct particles *p, bool newton,
+                    const struct pair_visit *pair) {
+    uint32_t i = pair->i, j = pair->j;
     if (i >= p->owned)
         return false;
     if (j < p->owned || newton || p->id[i] != p->id[j])
         return j < p->owned || newton || p->id[i] < p->id[j];
     for (int d = 0; d < 3; d++) { /* a particle and its own copy */
-        double apart = p->state[j].x[d] + list->shift[pair_image(list->j[k])][d] - p->state[i].x[d];
+        double apart = p->state[j].x[d] + list->shift[pair->image][d] - p->state[i].x[d];
         if (apart != 0.0)
             return apart > 0.0;
     }
@@ -49,16 +50,14 @@ static bool is_mine(const struct pairlist *list, const struct particles *p, bool
 static size_t collect(const struct pairlist *list, const struct particles *p, bool newton, uint32_t (*end)[2],
                       uint8_t *image, uint32_t *number) {
     size_t count = 0;
-    for (int b = 0; b < list->block_count; b++) {
-        const struct pair_block *block = &list->blocks[b];
-        for (size_t k = block->first_pair; k < block->end_pair && block->kind != PAIR_BLOCK_MIRROR; k++) {
-            if (!is_mine(list, p, newton, k))
-                continue;
-            end[count][0] = list->i[k];
-            end[count][1] = pair_partner(list->j[k]);
-            image[count] = (uint8_t)pair_image(list->j[k]);
-            number[count++] = (uint32_t)k;
-        }
+    struct pair_visit pair = pairlist_all(list);
+    while (pairlist_each(list, &pair)) {
+        if (pair.block->kind == PAIR_BLOCK_MIRROR || !is_mine(list, p, newton, &pair))
+            continue;
+        end[count][0] = pair.i;
+        end[count][1] = pair.j;
+        image[count] = (uint8_t)pair.image;
+        number[count++] = (uint32_t)pair.k;
     }
     return count;
 }
@@ -143,19 +142,20 @@ void hard_pairs_detach(struct hard_pairs *pairs, const struct pairlist *list,
     for (int t = 0; t < (list->block_count ? list->threads : 0); t++) {
         struct history_part *part = &history->part[1 - history->now][t];
         size_t first = pairlist_thread_first(list, t), count = 0;
-        size_t end = list->blocks[list->thread_block[t + 1] - 1].end_pair;
-        for (size_t k = first; k < end; k++)
-            count += place[k] != UINT32_MAX && is_known(&pairs->memory[place[k]]);
+        struct pair_visit pair = pairlist_thread(list, t);
+        while (pairlist_each(list, &pair))
+            count += place[pair.k] != UINT32_MAX && is_known(&pairs->memory[place[pair.k]]);
         history_reserve(history, t, count);
         part->count = 0;
-        for (size_t k = first; k < end; k++) {
-            if (place[k] == UINT32_MAX || !is_known(&pairs->memory[place[k]]))
+        pair = pairlist_thread(list, t);
+        while (pairlist_each(list, &pair)) {
+            if (place[pair.k] == UINT32_MAX || !is_known(&pairs->memory[place[pair.k]]))
                 continue;
-            const struct hard_memory *memory = &pairs->memory[place[k]];
+            const struct hard_memory *memory = &pairs->memory[place[pair.k]];
             double *value = part->value + part->count * HARD_MEMORY;
             memcpy(value, memory->rub, sizeof memory->rub);
             value[3] = memory->push;
-            part->pair[part->count++] = (uint32_t)(k - first);
+            part->pair[part->count++] = (uint32_t)(pair.k - first);
         }
     }
     memory_free(place);

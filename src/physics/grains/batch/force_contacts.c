@@ -40,11 +40,11 @@ static bool force_pair_fixed(const struct particles *p, const double (*omega)[4]
 }
 
 /* Fills the input of a law with parts or of the user's, whose other members are there. */
-static void force_pair_general(const struct force_context *context, size_t k, const double *record,
-                               struct law_general *all) {
+static void force_pair_general(const struct force_context *context, const struct pair_visit *pair,
+                               const double *record, struct law_general *all) {
     const struct particles *p = context->particles;
     const uint8_t *material = material_numbers(p);
-    size_t i = context->list->i[k], j = pair_partner(context->list->j[k]);
+    size_t i = pair->i, j = pair->j;
     all->extra = law_extra_of(context->law, material_of(material, i), material_of(material, j));
     all->radius[0] = p->state[i].radius;
     all->radius[1] = p->state[j].radius;
@@ -53,14 +53,13 @@ static void force_pair_general(const struct force_context *context, size_t k, co
 }
 
 /* Fills the law's input for two spheres; false if the spheres are out of range. `separation` is x_j - x_i. */
-static bool force_pair_contact(const struct force_context *context, size_t k, const double *record,
-                               struct law_general *all, struct law_vector *separation) {
+static bool force_pair_contact(const struct force_context *context, const struct pair_visit *pair,
+                               const double *record, struct law_general *all, struct law_vector *separation) {
     struct law_contact *in = &all->contact;
     const struct particles *p = context->particles;
-    uint32_t i = context->list->i[k], code = context->list->j[k], j = pair_partner(code);
+    uint32_t i = pair->i, j = pair->j;
     const struct particle_state *si = &p->state[i], *sj = &p->state[j];
-    const double *shift = context->list->shift[pair_image(code)],
-                 *drift = context->list->drift[pair_image(code)];
+    const double *shift = context->list->shift[pair->image], *drift = context->list->drift[pair->image];
     struct law_vector d = force_difference(sj->x, si->x);
     d = law_add(d, 1.0, (struct law_vector){shift[0], shift[1], shift[2]});
     *separation = d;
@@ -85,7 +84,7 @@ static bool force_pair_contact(const struct force_context *context, size_t k, co
     in->half_normal = in->normal;
     if (context->list->moves)
         in->velocity = law_add(in->velocity, 1.0, (struct law_vector){drift[0], drift[1], drift[2]});
-    force_pair_general(context, k, record, all);
+    force_pair_general(context, pair, record, all);
     if (!law.friction || omega == NULL)
         return true;
     struct law_vector wi = {omega[i][0], omega[i][1], omega[i][2]};
@@ -120,11 +119,11 @@ static bool force_answer_of(const struct law *law, struct law_general *all, stru
     return true;
 }
 
-static struct force_contact force_contact_of(const struct force_context *context, size_t k,
-                                             const struct law_contact *in, struct law_response out,
-                                             struct law_vector separation) {
+static struct force_contact force_contact_of(const struct force_context *context,
+                                             const struct pair_visit *pair, const struct law_contact *in,
+                                             struct law_response out, struct law_vector separation) {
     const int64_t *id = context->particles->id;
-    size_t i = context->list->i[k], j = pair_partner(context->list->j[k]);
+    size_t i = pair->i, j = pair->j;
     return (struct force_contact){.id_i = id[i],
                                   .id_j = id[j],
                                   .number_i = i,
@@ -143,29 +142,24 @@ size_t force_loop_contacts(const struct force_context *context, struct force_con
         return context->solved(context->solver, false, contacts);
     *contacts = memory_allocate(capacity, sizeof **contacts, "contact list");
     for (int t = 0; t < list->threads; t++) {
-        if (list->thread_block[t] == list->thread_block[t + 1])
-            continue;
-        struct force_walk walk = {.base = list->blocks[list->thread_block[t]].first_pair};
+        struct pair_visit pair = pairlist_thread(list, t);
+        struct force_walk walk = {.base = pairlist_thread_first(list, t)};
         if (context->history) {
             walk.part = &context->history->part[context->history->now][t];
             walk.components = context->history->components;
         }
-        for (int b = list->thread_block[t]; b < list->thread_block[t + 1]; b++) {
-            const struct pair_block *block = &list->blocks[b];
-            for (size_t k = block->first_pair; k < block->end_pair; k++) {
-                struct law_general in;
-                struct law_response out;
-                struct law_vector separation;
-                if (!force_pair_contact(context, k, force_walk_find(&walk, k), &in, &separation) ||
-                    !force_answer_of(context->law, &in, &out))
-                    continue;
-                bool mirrored = k >= block->one_sided && k < block->slotted;
-                if (mirrored && !force_pair_home(id[list->i[k]], id[pair_partner(list->j[k])], separation))
-                    continue;
-                if (count == capacity)
-                    *contacts = memory_resize(*contacts, capacity *= 2, sizeof **contacts, "contact list");
-                (*contacts)[count++] = force_contact_of(context, k, &in.contact, out, separation);
-            }
+        while (pairlist_each(list, &pair)) {
+            struct law_general in;
+            struct law_response out;
+            struct law_vector separation;
+            if (!force_pair_contact(context, &pair, force_walk_find(&walk, pair.k), &in, &separation) ||
+                !force_answer_of(context->law, &in, &out))
+                continue;
+            if (pair_gives_one(&pair) && !force_pair_home(id[pair.i], id[pair.j], separation))
+                continue;
+            if (count == capacity)
+                *contacts = memory_resize(*contacts, capacity *= 2, sizeof **contacts, "contact list");
+            (*contacts)[count++] = force_contact_of(context, &pair, &in.contact, out, separation);
         }
     }
     return count;

@@ -40,13 +40,13 @@ static void stiffen(const struct stability *s, const struct timestep_springs *sp
     contact->twist = h * (h * springs->k_w + 2.0 * springs->c_w);
 }
 
-/* The contact of pair k of the list; false if the pair does not touch or neither particle is free. */
-static bool pair_contact(const struct stability *s, const struct force_context *context, size_t k,
-                         struct stability_contact *contact) {
+/* The contact of a pair of the list; false if the pair does not touch or neither particle is free. */
+static bool pair_contact(const struct stability *s, const struct force_context *context,
+                         const struct pair_visit *pair, struct stability_contact *contact) {
     const struct particles *p = context->particles;
-    uint32_t i = context->list->i[k], code = context->list->j[k], j = pair_partner(code);
+    uint32_t i = pair->i, j = pair->j;
     const struct particle_state *a = &p->state[i], *b = &p->state[j];
-    const double *shift = context->list->shift[pair_image(code)];
+    const double *shift = context->list->shift[pair->image];
     double reach = a->radius + b->radius, far = reach + context->range, square = 0.0;
     for (int d = 0; d < 3; d++) {
         contact->normal[d] = b->x[d] - a->x[d] + shift[d];
@@ -114,17 +114,16 @@ void stability_add(struct stability *s, const struct particles *particles, size_
 }
 
 /* Shares go to one side or both, as forces do. */
-static void add_block(const struct stability *s, const struct force_context *context,
-                      const struct pair_block *block) {
+static void add_thread(const struct stability *s, const struct force_context *context, int t) {
     struct stability_contact contact;
-    for (size_t k = block->first_pair; k < block->end_pair; k++) {
-        if (!pair_contact(s, context, k, &contact))
+    struct pair_visit pair = pairlist_thread(context->list, t);
+    while (pairlist_each(context->list, &pair)) {
+        if (!pair_contact(s, context, &pair, &contact))
             continue;
-        bool one = k >= block->one_sided && k < block->slotted;
         /* all threads may add to a particle that has slots, so every addition is atomic then */
         bool shared = context->list->slot_count > 0;
         add_to(s, context->particles, contact.i, &contact, 1.0, shared);
-        if (!one)
+        if (!pair_gives_one(&pair))
             add_to(s, context->particles, contact.j, &contact, -1.0, shared);
     }
 }
@@ -133,8 +132,7 @@ void stability_pairs(struct stability *s, const struct force_context *context) {
     const struct pairlist *list = context->list;
 #pragma omp parallel for schedule(static, 1)
     for (int t = 0; t < list->threads; t++)
-        for (int b = list->thread_block[t]; b < list->thread_block[t + 1]; b++)
-            add_block(s, context, &list->blocks[b]);
+        add_thread(s, context, t);
 }
 
 void stability_walls(struct stability *s, const struct force_context *context,
@@ -176,13 +174,13 @@ void stability_solve(struct stability *s, const struct particles *particles) {
     }
 }
 
-static double block_worst(const struct stability *s, const struct force_context *context,
-                          const struct pair_block *block) {
+static double thread_worst(const struct stability *s, const struct force_context *context, int t) {
     struct stability_contact contact;
     double most = 0.0;
-    for (size_t k = block->first_pair; k < block->end_pair; k++) {
-        double both = s->local[context->list->i[k]] + s->local[pair_partner(context->list->j[k])];
-        if (both > most && pair_contact(s, context, k, &contact))
+    struct pair_visit pair = pairlist_thread(context->list, t);
+    while (pairlist_each(context->list, &pair)) {
+        double both = s->local[pair.i] + s->local[pair.j];
+        if (both > most && pair_contact(s, context, &pair, &contact))
             most = both;
     }
     return most;
@@ -193,8 +191,7 @@ double stability_worst(const struct stability *s, const struct force_context *co
     double most = 0.0;
 #pragma omp parallel for schedule(static, 1) reduction(max : most)
     for (int t = 0; t < list->threads; t++)
-        for (int b = list->thread_block[t]; b < list->thread_block[t + 1]; b++)
-            most = fmax(most, block_worst(s, context, &list->blocks[b]));
+        most = fmax(most, thread_worst(s, context, t));
     for (size_t k = 0; k < context->particles->owned; k++) /* contacts with walls: a wall has no L */
         most = fmax(most, s->local[k]);
     return most;
