@@ -547,4 +547,6 @@ check 'discs: the unit' refused_discs 'materials[0].density' check discs.yaml --
 check 'discs: what density means stays at a resume' refused_discs 'box.density must stay' run discs.yaml -o volume --resume discs/checkpoint-100.h5 --set box.density=volume --set 'materials[a].density=5' --set 'particles.sources[2].density=8' --set step.count=200
 echo_discs() { "$scree" check discs.yaml | grep -q 'density x pi r^2 (box.density: area)'; }
 check 'discs: check tells it' echo_discs
+unwarned_discs() { "$scree" check discs.yaml >told 2>&1 && lacks told 'density of a gas' || { cat told; return 1; }; }
+check 'discs: 5 kg/m2 is no gas' unwarned_discs
 finish
