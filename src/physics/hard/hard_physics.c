@@ -168,6 +168,14 @@ static void destroy(void *self) {
     memory_free(hard);
 }
 
+/* True if the motion of a group is prescribed. */
+static bool prescribes(const struct integrator_context *motion) {
+    bool any = false;
+    for (int g = 0; g < motion->groups; g++)
+        any = any || motion->motion[g].prescribed;
+    return any;
+}
+
 static struct hard_input input_of(const struct physics_context *context) {
     struct hard *hard = context->self;
     double dt = context->clock->dt;
@@ -178,6 +186,7 @@ static struct hard_input input_of(const struct physics_context *context) {
                                          .list = context->list[0],
                                          .threads = context->threads},
                                .particles = context->particles,
+                               .prescribed = prescribes(grains_motion(context)),
                                .omega = spin_values(context->particles),
                                .dimension = context->box->dimension,
                                .dt = dt,

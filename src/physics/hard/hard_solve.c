@@ -15,7 +15,8 @@ static double size_of(const double a[3]) {
 }
 
 double hard_solver_wants(const struct hard_input *input, double fastest) {
-    return 2.0 * input->dt * (fastest + 4.0 * size_of(input->gravity) * input->dt);
+    double walls = input->scene.walls ? walls_speed(input->scene.walls) : 0.0;
+    return 2.0 * input->dt * (fmax(fastest, walls) + 4.0 * size_of(input->gravity) * input->dt);
 }
 
 double hard_solver_fastest(const struct hard_solver *solver, const struct particles *particles) {
@@ -95,26 +96,30 @@ static void iterate(struct hard_solver *solver, struct hard_result *result) {
     hard_border_split(&solver->border, problem, false);
 }
 
-/* Forces on the owned grains; adds the work that they take, with the mean of the velocities before and after the step. */
-static void forces_give(const struct hard_solver *solver, const struct hard_input *input,
+/* Forces on the owned grains; adds the work that they take, with the mean of the velocities before and after the step.
+ * Those on grains whose motion is prescribed are sums over rows, as no velocity tells them. */
+static void forces_give(struct hard_solver *solver, const struct hard_input *input,
                         struct hard_result *result) {
     struct particles *p = input->particles;
     double lost = 0.0;
+    if (input->prescribed)
+        hard_border_gather(&solver->border, &solver->problem);
 #pragma omp parallel for schedule(static) reduction(+ : lost)
     for (size_t k = 0; k < p->owned; k++) {
         double *force = p->force + k * (size_t)p->force_stride;
         const struct hard_body before = body_free(input, k), *after = &solver->problem.body[k];
         const double *v = p->state[k].v, *w = input->omega ? input->omega[k] : NULL;
         double mass = p->state[k].inverse_mass;
-        if (!(mass > 0.0))
+        if (!(mass > 0.0) && !input->prescribed)
             continue;
+        const double *gathered = mass > 0.0 ? NULL : hard_border_gathered(&solver->border, k);
         for (int d = 0; d < 3; d++) {
-            double impulse = (after->v[d] - before.v[d]) / mass;
+            double impulse = gathered ? gathered[d] : (after->v[d] - before.v[d]) / mass;
             force[d] += impulse / input->duration;
             lost -= 0.5 * impulse * (v[d] + after->v[d]);
         }
         for (int d = 0; d < 3 && w; d++) {
-            double impulse = (after->w[d] - before.w[d]) / before.swing;
+            double impulse = gathered ? gathered[3 + d] : (after->w[d] - before.w[d]) / before.swing;
             force[4 + d] += impulse / input->duration;
             lost -= 0.5 * impulse * (w[d] + after->w[d]);
         }
@@ -204,9 +209,6 @@ void hard_solver_step(struct hard_solver *solver, const struct hard_input *input
     double square = 0.0;
     for (size_t k = 0; k < input->particles->owned; k++)
         square = fmax(square, hard_dot(problem->body[k].v, problem->body[k].v));
-    for (size_t k = 0; k < solver->contacts.walls; k++)
-        square = fmax(square, hard_dot(solver->contacts.wall[k].place.velocity,
-                                       solver->contacts.wall[k].place.velocity));
     comm_max(solver->comm, &square, 1);
     result->fastest = sqrt(square);
     const struct hard_pace pace = {.dt = input->dt,
