@@ -180,6 +180,12 @@ guarded() {
 check 'a residual that is not met ends the run if the scene says so' guarded
 proposes() { "$scree" check bed.yaml --set step.dt=~ >said 2>&1; holds said 'solver of contacts'; }
 check 'check proposes a step' proposes
+calm() { # SETTING...: a step that is allowed is neither warned of nor changed
+    on 1 "$scree" run bed.yaml -o calm --overwrite --quiet --set threads=1 --set step.count=501 "$@" 2>said
+    ! grep -E 'guards.step|stiffer' said
+}
+check 'a run does not look at the longest step again' calm --set step.dt=5.6e-4
+check 'nor at a fraction of it' calm --set step.dt=~ --set step.fraction=1
 ablates() { "$scree" ablate bed.yaml -o ablated --error --only stiffness >said 2>&1; [ $? = 2 ] && holds said '--only stiffness: allowed in this scene: step, integrator, law, skin'; }
 check 'ablate does not soften rigid grains' ablates
 soft() { "$scree" check bed.yaml --set contact.solver.kappa=1e-3 >said 2>&1; holds said 'NOTE: less than three times the expected speed' && holds said 'NOTE: more than 0.01'; }

@@ -396,7 +396,8 @@ static const struct physics_rows memory = {
     .of = rows, .components = HISTORY_COMPONENTS_USUAL, .due = due, .again = rebuilt_again};
 static const struct physics_limit limits = {
     .of = limit,
-    .why = "a grain would move by half of the smallest radius in a step, or fall by a two-hundredth of it"};
+    .stays = true,
+    .why = "a grain would move by half of the smallest radius in a step, or fall by 1/450 of it"};
 static const struct physics_record record = {.resume = resume};
 static const struct physics_shown shown = {.report = report};
 
