@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* Hard contacts as a physics (engine/physics.h): the one file that joins the solver to the engine. Read hard.h first. */
 #include "base/memory.h"
+#include "engine/notes.h"
 #include "physics/grains/grains.h"
 #include "physics/hard/hard_state.h"
 #include "kernel/particles/kinds.h"
@@ -16,8 +17,8 @@ static const double restitution_most = 0.95;
  * part of sqrt(r/g). The default step is a fraction of it (step.fraction). */
 static const double move_most = 0.5, fall_most = 1.0 / 15.0;
 
-/* Overlaps over the smaller radius that `scree check` notes. */
-static const double overlap_most = 0.01;
+/* Noted before a run: overlaps over the smaller radius above this, and news slower than so many expected speeds. */
+static const double overlap_most = 0.01, news_least = 3.0;
 
 static double range(const void *context, int kind_a, double radius_a, int kind_b, double radius_b) {
     (void)radius_a, (void)radius_b;
@@ -295,17 +296,28 @@ static double limit(const struct physics_context *context, double most) {
     return most;
 }
 
+/* True if the last step's residual is above ten times the tolerance. */
+static bool is_doubtful(const struct hard *hard) {
+    double tolerance = hard->solver.options.tolerance;
+    return tolerance > 0.0 && hard->last.residual > 10.0 * tolerance;
+}
+
 static void guard(const struct physics_context *context, struct error *error) {
-    const struct hard *hard = context->self;
-    const struct hard_options *options = &hard->solver.options;
-    if (context->scene->guards.residual != SCENE_GUARD_STOP || error->kind != ERROR_NONE ||
-        !(options->tolerance > 0.0) || !(hard->last.residual > 10.0 * options->tolerance))
+    struct hard *hard = context->self;
+    enum scene_guard guard = context->scene->guards.residual;
+    char text[320];
+    if (!is_doubtful(hard) || guard == SCENE_GUARD_OFF || error->kind != ERROR_NONE)
         return;
-    error_set(error, ERROR_PHYSICS,
-              "guards.residual: the residual of the contacts is %.3g after %d sweeps at step %llu, t = %.9g; "
-              "contact.solver.tolerance is %g: more sweeps, or a shorter step, reach it",
-              hard->last.residual, hard->last.sweeps, (unsigned long long)context->clock->step,
-              context->clock->time, options->tolerance);
+    snprintf(text, sizeof text,
+             "guards.residual: the residual of the contacts is %.3g after %d sweeps at step %llu, t = %.9g; "
+             "contact.solver.tolerance is %g: more sweeps, or a shorter step, reach it",
+             hard->last.residual, hard->last.sweeps, (unsigned long long)context->clock->step,
+             context->clock->time, hard->solver.options.tolerance);
+    if (guard == SCENE_GUARD_STOP)
+        error_set(error, ERROR_PHYSICS, "%s", text);
+    else if (!hard->warned && context->comm->rank == 0)
+        log_tell(context->log, "warning: %s (said once)", text);
+    hard->warned = true;
 }
 
 static void restart(const struct physics_context *context, struct restart *list) {
@@ -335,49 +347,65 @@ static void report(const struct physics_context *context, struct report *report)
                                                                .residual_worst = hard->worst};
 }
 
-/* Prints what the springs of rigid contacts cost: the speed of news, and an overlap; and says if that is too much. */
-static void print_kappa(const struct physics_context *context, FILE *file) {
+/* What the springs of rigid contacts cost: the speed of news, and the overlap of the heaviest grain on one of the lightest. */
+struct price {
+    double news, overlap;
+};
+
+static bool has_price(const struct hard *hard) {
+    return hard->solver.terms.kappa > 0.0 && isfinite(hard->solver.terms.kappa);
+}
+
+static struct price price_of(const struct physics_context *context) {
     const struct hard *hard = context->self;
-    double kappa = hard->solver.terms.kappa, dt = context->clock->dt,
-           speed = grains_of(context->set)->stable.speed_most;
-    double news = sqrt(kappa) * 2.0 * hard->smallest / dt,
-           wants = 9.0 * speed * speed / (news * news) * kappa;
+    double kappa = hard->solver.terms.kappa, dt = context->clock->dt;
     double g = sqrt(hard_dot(context->scene->gravity, context->scene->gravity));
-    double overlap = (1.0 + hard->heavy / hard->light) * g * dt * dt / (kappa * hard->smallest);
-    fprintf(file, "  news         travels about %.3g grains a step: %.4g in the smallest grains\n",
-            sqrt(kappa), news);
-    if (news < 3.0 * speed)
-        fprintf(
-            file,
-            "               NOTE: less than three times the expected speed; contact.solver.kappa: %.3g, or a "
-            "shorter step, is three times that\n",
-            wants);
-    fprintf(
-        file,
-        "  overlap      of the heaviest grain at rest on one of the lightest: %.2g of the smallest radius\n",
-        overlap);
-    if (overlap > overlap_most)
-        fprintf(file,
-                "               NOTE: more than %g; a bed shares the load, one grain needs "
-                "contact.solver.kappa: %.3g with as many sweeps, or a shorter step\n",
-                overlap_most, kappa * overlap / overlap_most);
+    return (struct price){.news = sqrt(kappa) * 2.0 * hard->smallest / dt,
+                          .overlap =
+                              (1.0 + hard->heavy / hard->light) * g * dt * dt / (kappa * hard->smallest)};
+}
+
+static void notes(const struct physics_context *context, struct notes *notes) {
+    const struct hard *hard = context->self;
+    double kappa = hard->solver.terms.kappa;
+    struct price price = price_of(context);
+    if (!has_price(hard))
+        return;
+    if (price.news < news_least * notes->speed_expected) {
+        double more = news_least * notes->speed_expected / price.news;
+        notes_add(
+            notes, false,
+            "contact.solver.kappa: news travels at %.4g, less than %g times the expected speed; kappa: %.3g, "
+            "or a shorter step, is %g times that",
+            price.news, news_least, more * more * kappa, news_least);
+    }
+    if (price.overlap > overlap_most)
+        notes_add(
+            notes, false,
+            "contact.solver.kappa: the heaviest grain at rest on one of the lightest overlaps it by %.2g of "
+            "its radius, more than %g; a bed shares the load, one grain needs kappa: %.3g with as many "
+            "sweeps, "
+            "or a shorter step",
+            price.overlap, overlap_most, kappa * price.overlap / overlap_most);
 }
 
 static void print(const struct physics_context *context, FILE *file) {
     const struct hard *hard = context->self;
     const struct hard_solver *solver = &hard->solver;
-    double radius = hard->smallest, dt = context->clock->dt,
-           speed = grains_of(context->set)->stable.speed_most;
     if (context->comm->rank > 0)
         return;
     fprintf(file, "\nsolver of contacts\n");
-    fprintf(file,
-            "  step         a grain moves by %.3g of the smallest radius at the expected speed of %.4g\n",
-            speed * dt / radius, speed);
     fprintf(file, "  sweeps       up to %d a step, until the residual is %g\n", solver->options.sweeps,
             solver->options.tolerance);
-    if (solver->terms.kappa > 0.0 && isfinite(solver->terms.kappa))
-        print_kappa(context, file);
+    if (has_price(hard)) {
+        struct price price = price_of(context);
+        fprintf(file, "  news         travels about %.3g grains a step: %.4g in the smallest grains\n",
+                sqrt(solver->terms.kappa), price.news);
+        fprintf(file,
+                "  overlap      of the heaviest grain at rest on one of the lightest: %.2g of the smallest "
+                "radius\n",
+                price.overlap);
+    }
     fprintf(file, "  memory       %zu bytes a contact\n",
             sizeof(struct hard_row) + sizeof(struct hard_memory));
 }
@@ -399,7 +427,7 @@ static const struct physics_limit limits = {
     .stays = true,
     .why = "a grain would move by half of the smallest radius in a step, or fall by 1/450 of it"};
 static const struct physics_record record = {.resume = resume};
-static const struct physics_shown shown = {.report = report};
+static const struct physics_shown shown = {.report = report, .notes = notes};
 
 const struct physics hard_physics = {.name = "hard",
                                      .passes = 1,

@@ -17,6 +17,7 @@ struct hard {
     /* Since this program began. */
     uint64_t solves, sweeps, unmet; /* unmet: with a residual above the tolerance */
     double worst;                   /* residual */
+    bool warned;                    /* of a residual */
 };
 
 #endif
