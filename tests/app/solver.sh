@@ -163,6 +163,9 @@ check 'a law without a form' refuses 'bed.yaml:4: contact.solver: goes with cont
 check 'cohesion' refuses 'cohesion' --set contact.cohesion=sjkr --set material_pairs[0].cohesion_density=1
 check 'rolling' refuses 'rolling' --set contact.rolling=spring
 check 'viscous friction' refuses 'tangential' --set contact.tangential=viscous
+check 'the end of a damper' refuses 'contact.end: has no form in contact.solver; allowed with it: force' --set contact.end=overlap
+check 'the slip of a damper' refuses 'contact.sliding: has no form in contact.solver; allowed with it: series' --set contact.sliding=total
+check 'a tangential damper' refuses 'contact.tangential_damping_ratio: has no form in contact.solver; allowed with it: 1' --set contact.tangential_damping_ratio=0.5
 check 'drag' refuses 'drag: does not go with contact.solver yet' --set 'drag={law: stokes, fluid: {density: 1, viscosity: 1e-3, velocity: [0, 0, 0]}}'
 check 'reproducible' refuses 'reproducible: does not go with contact.solver yet; allowed with it: false' --set reproducible=true
 check 'heat' refuses 'heat: does not go with contact.solver yet' --set 'heat={materials: [{conductivity: 1, capacity: 1}]}'
@@ -194,8 +197,8 @@ calm() { # SETTING...: a step that is allowed is neither warned of nor changed
 }
 check 'a run does not look at the longest step again' calm --set step.dt=5.6e-4
 check 'nor at a fraction of it' calm --set step.dt=~ --set step.fraction=1
-ablates() { "$scree" ablate bed.yaml -o ablated --error --only stiffness >said 2>&1; [ $? = 2 ] && holds said '--only stiffness: allowed in this scene: step, integrator, law, skin'; }
-check 'ablate does not soften rigid grains' ablates
+ablates() { "$scree" ablate bed.yaml -o ablated --error --only stiffness >said 2>&1; [ $? = 2 ] && holds said '--only stiffness: allowed in this scene: step, law, skin'; }
+check 'ablate does not soften rigid grains, nor change an integrator that only springs feel' ablates
 soft() { "$scree" check bed.yaml --set contact.solver.kappa=1e-3 >said 2>&1; holds said 'NOTE: contact.solver.kappa: news travels' && holds said 'NOTE: contact.solver.kappa: the heaviest grain'; }
 check 'check says that a medium is too soft' soft
 finish

@@ -54,6 +54,10 @@ static bool check_law(const struct scene *scene, struct error *error) {
                 {"contact.rolling", o->rolling != LAW_ROLLING_NONE, "none"},
                 {"contact.twisting", o->twisting != LAW_TWISTING_NONE, "none"},
                 {"contact.damping", o->damping != LAW_DAMPING_RESTITUTION, "restitution"},
+                {"contact.end", o->end != LAW_END_FORCE, "force"},
+                {"contact.sliding", o->sliding != LAW_SLIDING_SERIES, "series"},
+                {"contact.tangential_damping_ratio", o->tangential_damping_ratio != 1.0, "1"},
+                {"contact.tangential_damping_equal", o->tangential_damping_equal, "false"},
                 {"contact.lammps_history", o->lammps_history, "false"},
                 {"contact.lammps_granular", o->lammps_granular, "false"}};
     for (size_t k = 0; k < sizeof part / sizeof part[0]; k++)
