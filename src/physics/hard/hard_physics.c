@@ -56,7 +56,8 @@ static bool check_law(const struct scene *scene, struct error *error) {
                 {"contact.damping", o->damping != LAW_DAMPING_RESTITUTION, "restitution"},
                 {"contact.end", o->end != LAW_END_FORCE, "force"},
                 {"contact.sliding", o->sliding != LAW_SLIDING_SERIES, "series"},
-                {"contact.tangential_damping_ratio", o->tangential_damping_ratio != 1.0, "1"},
+                {"contact.tangential_damping_ratio",
+                 o->tangential == LAW_TANGENTIAL_HISTORY && o->tangential_damping_ratio != 1.0, "1"},
                 {"contact.tangential_damping_equal", o->tangential_damping_equal, "false"},
                 {"contact.lammps_history", o->lammps_history, "false"},
                 {"contact.lammps_granular", o->lammps_granular, "false"}};
