@@ -152,6 +152,27 @@ check 'a fast wall on 2 ranks' piston 2
 check 'a fast wall of triangles' piston 1 --set 'walls[piston]={name: piston, shape: rectangle, point: [2, 0, 0], along: [0, 4, 0], across: [0, 0, 4], motion: [{kind: translate, velocity: [5, 0, 0]}]}'
 check 'a fast cylinder' piston 1 --set 'walls[piston]={name: piston, shape: cylinder, point: [1, 2, 2], axis: [0, 0, 1], radius: 1, inside: false, motion: [{kind: translate, velocity: [5, 0, 0]}]}'
 
+# A grain rests on a floor by the implicit form of a law with a damper: its spring holds what the overlap says
+cat >spring.yaml <<'EOS'
+units: none
+box: {lower: [0, 0, 0], upper: [4, 4, 4]}
+gravity: [0, 0, -10]
+step: {dt: 1e-3, count: 3000}
+contact: {law: hooke, solver: {sweeps: 30}}
+materials: [{name: a, density: 1}]
+material_pairs: [{restitution: 0.3, friction: 0.3, k_n: 1e4, k_t: 1e4}]
+walls: [{shape: plane, name: floor, point: [0, 0, 0], normal: [0, 0, 1]}]
+particles: {from: single, position: [2, 2, 0.5], radius: 0.5}
+observables: {every: 1000, list: [{name: energy_elastic_normal}]}
+EOS
+spring() { # ENERGY SETTING...
+    rm -rf spring && run_scene 1 spring.yaml spring --set threads=1 "${@:2}" &&
+        within "$(last_of spring/observables.csv energy_elastic_normal)" "$1" 1e-9
+}
+check 'energy of a linear spring, F^2 / (2 k)' spring 1.37077839e-3
+check "energy of Hertz's spring, 2/5 F overlap" spring "$(awk 'BEGIN { f = 10 * atan2(0, -1) / 6; printf "%.12g", 0.4 * f * (f / (4 / 3 * 1e5 / 0.91 * sqrt(0.5) / 2)) ^ (2 / 3) }')" \
+    --set contact.law=hertz --set 'materials=[{name: a, density: 1, young: 1e5, poisson: 0.3}]' --set 'material_pairs=[{restitution: 0.3, friction: 0.3}]'
+
 refuses() { # WORDS FLAG...: exit status 2, one message that begins with the place and has the words
     "$scree" check bed.yaml "${@:2}" >said 2>&1
     [ $? = 2 ] || { cat said; return 1; }
