@@ -46,21 +46,26 @@ static struct hard_body body_free(const struct hard_input *input, size_t k) {
     return body;
 }
 
-static void bodies_make(struct hard_solver *solver, const struct hard_input *input) {
+/* The bodies of all particles; returns the largest speed of this rank's own. */
+static double bodies_make(struct hard_solver *solver, const struct hard_input *input) {
     struct hard_problem *problem = &solver->problem;
     const struct particles *p = input->particles;
+    double square = 0.0;
     problem->bodies = p->owned + p->ghosts;
     hard_problem_reserve(problem, problem->bodies, 0, 0);
-#pragma omp parallel for schedule(static)
+#pragma omp parallel for schedule(static) reduction(max : square)
     for (size_t k = 0; k < p->owned + p->ghosts; k++) {
         problem->body[k] = (struct hard_body){.lightness = p->state[k].inverse_mass};
-        if (k < p->owned)
+        if (k < p->owned) {
             problem->body[k] = body_free(input, k);
-        else if (input->omega)
+            square = fmax(square, hard_dot(problem->body[k].v, problem->body[k].v));
+        } else if (input->omega) {
             problem->body[k].swing =
                 2.5 * p->state[k].inverse_mass / (p->state[k].radius * p->state[k].radius);
+        }
     }
     hard_border_send(&solver->border, problem);
+    return sqrt(square);
 }
 
 static double residual_of(const struct hard_solver *solver) {
@@ -143,11 +148,18 @@ static void walls_give(const struct hard_solver *solver, const struct hard_input
     }
 }
 
-/* Largest overlap, contacts, and the sum of separation x force. */
+/* The branch of a row, and the force on its second body. */
+static void pull_of(const struct hard_row *row, double duration, double branch[3], double force[3]) {
+    for (int d = 0; d < 3; d++) {
+        branch[d] = (row->lever[0] + row->lever[1]) * row->normal[d];
+        force[d] = (row->p * row->normal[d] + row->q[d]) / duration;
+    }
+}
+
+/* Largest overlap, contacts, energies and virial. */
 static void account(const struct hard_solver *solver, const struct hard_input *input,
                     struct hard_result *result) {
     const struct particles *p = input->particles;
-    static const int column[6] = {0, 1, 2, 0, 0, 1}, row_of[6] = {0, 1, 2, 1, 2, 2};
     for (size_t r = 0; r < solver->problem.rows; r++) {
         const struct hard_row *row = &solver->problem.row[r];
         bool wall = r >= solver->contacts.pair_rows;
@@ -166,10 +178,9 @@ static void account(const struct hard_solver *solver, const struct hard_input *i
         hard_stored(row, input->dt, input->duration, stored);
         result->stored[0] += row->impact ? 0.0 : stored[0];
         result->stored[1] += row->impact ? 0.0 : stored[1];
-        double length = row->lever[0] + row->lever[1];
-        for (int c = 0; c < 6; c++)
-            result->virial[c] += length * row->normal[column[c]] *
-                                 (row->p * row->normal[row_of[c]] + row->q[row_of[c]]) / input->duration;
+        double branch[3], force[3];
+        pull_of(row, input->duration, branch, force);
+        force_add_virial(result->virial, 1.0, branch, force);
     }
 }
 
@@ -189,11 +200,8 @@ size_t hard_solver_list(const struct hard_solver *solver, const struct particles
                                           .number_j = walls ? SIZE_MAX : row->body[1]};
         contact->id_j =
             walls ? -(int64_t)(solver->contacts.wall[r - pairs].place.wall + 1) : particles->id[row->body[1]];
-        for (int d = 0; d < 3; d++) {
-            contact->normal[d] = row->normal[d];
-            contact->branch[d] = (row->lever[0] + row->lever[1]) * row->normal[d];
-            contact->force[d] = (row->p * row->normal[d] + row->q[d]) / solver->duration;
-        }
+        memcpy(contact->normal, row->normal, sizeof contact->normal);
+        pull_of(row, solver->duration, contact->branch, contact->force);
         count++;
     }
     return count;
@@ -205,12 +213,8 @@ void hard_solver_step(struct hard_solver *solver, const struct hard_input *input
     *result = (struct hard_result){0};
     solver->duration = input->duration;
     history_rows_free(&solver->pairs.rows); /* of a checkpoint */
-    bodies_make(solver, input);
-    double square = 0.0;
-    for (size_t k = 0; k < input->particles->owned; k++)
-        square = fmax(square, hard_dot(problem->body[k].v, problem->body[k].v));
-    comm_max(solver->comm, &square, 1);
-    result->fastest = sqrt(square);
+    result->fastest = bodies_make(solver, input);
+    comm_max(solver->comm, &result->fastest, 1);
     const struct hard_pace pace = {.dt = input->dt,
                                    .duration = input->duration,
                                    .near = fmin(solver->reach, hard_solver_wants(input, result->fastest)),
