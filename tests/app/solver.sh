@@ -101,6 +101,16 @@ many=$(for k in $(seq 60); do printf '{name: m%d, density: 1}, ' "$k"; done)
 check 'sixty materials' belt $sphere 1 --set "materials=[$many{name: a, density: 1}]" --set 'particles.material=a' --set 'walls[belt].material=a' \
     --set 'material_pairs=[{restitution: 0.3, friction: 0.1}, {between: [a, a], restitution: 0.3, friction: 0.5}]'
 
+# While it slides, the stress is symmetric as that of the explicit law, xz half of F R / V, and its tangential spring holds F^2 / (2 k_t)
+slides() { # SETTING...
+    rm -rf slides && run_scene 1 belt.yaml slides --set threads=1 --set step.count=100 \
+        --set 'observables={every: 100, list: [{name: stress}, {name: energy}]}' "$@" &&
+        within "$(last_of slides/observables.csv stress_xz)" 5.2359877e-4 5e-7
+}
+check 'the stress of a grain that slides' slides
+check 'the energy of its tangential spring' within "$(last_of slides/observables.csv energy_elastic_tangential)" 3.71361e-8 1e-12
+check 'the stress by the explicit law' slides --set contact='{law: hooke}' --set material_pairs[0].k_n=2000 --set step.dt=5e-4 --set step.count=200
+
 # A grain that moves as given hits a free one: e = 0.5 takes 3/8 m v^2 of what the given motion does. What rests on a frozen grain
 # weighs on it, wherever the frozen one lives
 cat >given.yaml <<'EOS'
