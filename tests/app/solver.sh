@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: BSD-3-Clause
 # Hard contacts in whole runs: a bed with a boulder comes to rest on any layout; threads and indexes give the same bits; a resume goes
-# on from the forces of the checkpoint; a grain on a belt ends with 2/7 of its speed; scenes that the solver does not know are refused by name.
+# on from the forces of the checkpoint; a grain on a belt ends with 2/7 of its speed. solver_features.sh tries each feature.
 
 . "$(dirname "$0")/common.sh"
 cd "$out" || exit 1
@@ -191,22 +191,11 @@ refuses() { # WORDS FLAG...: exit status 2, one message that begins with the pla
 check 'a rigid law without a solver' refuses 'contact.law: rigid needs contact.solver' --set contact='{law: rigid}'
 check 'a law without a form' refuses 'bed.yaml:4: contact.solver: goes with contact.law hooke, hertz, rigid, not with eepa' --set contact.law=eepa \
     --set materials[0].young=1e7 --set materials[0].poisson=0.2 --set material_pairs[0].plasticity_ratio=0.5
-check 'cohesion' refuses 'cohesion' --set contact.cohesion=sjkr --set material_pairs[0].cohesion_density=1
-check 'rolling' refuses 'rolling' --set contact.rolling=spring
-check 'viscous friction' refuses 'tangential' --set contact.tangential=viscous
 check 'the end of a damper' refuses 'contact.end: has no form in contact.solver; allowed with it: force' --set contact.end=overlap
 check 'the slip of a damper' refuses 'contact.sliding: has no form in contact.solver; allowed with it: series' --set contact.sliding=total
 check 'a tangential damper' refuses 'contact.tangential_damping_ratio: has no form in contact.solver; allowed with it: 1' --set contact.tangential_damping_ratio=0.5
-check 'drag' refuses 'drag: does not go with contact.solver yet' --set 'drag={law: stokes, fluid: {density: 1, viscosity: 1e-3, velocity: [0, 0, 0]}}'
-check 'reproducible' refuses 'reproducible: does not go with contact.solver yet; allowed with it: false' --set reproducible=true
-check 'heat' refuses 'heat: does not go with contact.solver yet' --set 'heat={materials: [{conductivity: 1, capacity: 1}]}'
-check 'bonds' refuses 'bonds: does not go with contact.solver yet' --set 'bonds={laws: [{k_n: 1e9, k_s: 1e9}]}'
-check 'a servo' refuses 'no servo' --set 'walls[0].motion=[{kind: servo, direction: [0, 0, 1], force: 1, speed_max: 1}]'
-check 'a box that moves' refuses 'contact.solver: does not go with a box that moves' --set 'box.periodic=true' --set walls=[] --set box.shear=1
-check 'full elasticity' refuses 'restitution is 1; allowed with contact.solver are 0 to 0.95' --set material_pairs[0].restitution=1
 check 'a step that is too long' refuses 'step.dt: the time step 0.01 is above' --set step.dt=0.01
 check 'an unknown method' refuses 'gauss_seidel' --set contact.solver.name=jacobi
-check 'loads on walls' refuses 'output.walls: does not go' --set output.walls.every.steps=10
 guarded() {
     on 1 "$scree" run bed.yaml -o guarded --quiet --set threads=1 --set guards.residual=stop --set contact.solver='{sweeps: 1, tolerance: 1e-9}' >said 2>&1
     [ $? = 3 ] && holds said 'guards.residual: the residual of the contacts'
