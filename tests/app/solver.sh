@@ -53,7 +53,8 @@ check 'it rests' rests stiff
 check 'Hertz at 70 GPa' run_scene 1 bed.yaml hertz --set threads=1 --set contact='{law: hertz, solver: {sweeps: 30}}' --set materials[0].young=70e9 \
     --set materials[0].poisson=0.2
 check 'it rests' rests hertz
-check 'a linear spring' run_scene 1 bed.yaml hooke --set threads=1 --set contact='{law: hooke, solver: {sweeps: 30}}' --set material_pairs[0].k_n=1e5
+check 'a linear spring' run_scene 1 bed.yaml hooke --set threads=1 --set contact='{law: hooke, solver: {sweeps: 30}}' --set material_pairs[0].k_n=1e5 \
+    --set output.checkpoint.every=1600
 check 'it rests' rests hooke
 weights() { # the contact list has the forces that the floor feels
     local file=one/observables.csv
@@ -67,6 +68,15 @@ check 'the same bits' same whole rest
 check 'and another wall before the floor' run_scene 1 bed.yaml lid --set threads=1 --resume whole/checkpoint-800.h5 \
     --set 'walls=[{shape: plane, name: lid, point: [0, 0, 39 mm], normal: [0, 0, -1]}, {shape: plane, name: floor, point: [0, 0, 0], normal: [0, 0, 1]}]'
 check 'the same bits' same whole lid
+check 'with other keys of the solver' run_scene 1 bed.yaml keys --set threads=1 --resume whole/checkpoint-800.h5 \
+    --set contact.solver='{kappa: 100, sweeps: 90, tolerance: 1e-5, repair: 0.01}'
+check 'it rests' rests keys
+unsolved() {
+    on 1 "$scree" run bed.yaml -o unsolved --quiet --resume hooke/checkpoint-1600.h5 --set contact.law=hooke --set contact.solver=~ \
+        --set material_pairs[0].k_n=1e5 --set step.dt=1e-6 >said 2>&1
+    [ $? = 2 ] && holds said 'contact.law, contact.solver, friction and rolling must stay'
+}
+check 'but not without the solver, whose springs differ' unsolved
 check 'on two ranks' run_scene 2 bed.yaml rest2 --set threads=1 --resume whole/checkpoint-800.h5
 check 'it rests' rests rest2
 
