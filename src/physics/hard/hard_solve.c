@@ -7,7 +7,7 @@
 /* The residual is looked at every so many sweeps; restitution takes so many. */
 enum { LOOK_EVERY = 5, REBOUND_SWEEPS = 8 };
 
-/* An approach faster than so many times g dt is an impact. */
+/* An approach faster than so many times a dt is an impact, a the largest acceleration without contacts. */
 static const double impact_speed = 8.0;
 
 static double size_of(const double a[3]) {
@@ -28,16 +28,25 @@ double hard_solver_fastest(const struct hard_solver *solver, const struct partic
     return sqrt(square);
 }
 
+/* The acceleration of particle k without contacts: by gravity, and by the force of a calling program. */
+static void acceleration_of(const struct hard_input *input, size_t k, double a[3]) {
+    const struct particles *p = input->particles;
+    const double *force = p->force + k * (size_t)p->force_stride;
+    double mass = p->state[k].inverse_mass;
+    for (int d = 0; d < 3; d++)
+        a[d] = d < input->dimension && mass > 0.0 ? force[d] * mass + input->gravity[d] : 0.0;
+}
+
 /* Particle k without contacts at the end of the step. */
 static struct hard_body body_free(const struct hard_input *input, size_t k) {
     const struct particles *p = input->particles;
     const struct particle_state *state = &p->state[k];
     const double *force = p->force + k * (size_t)p->force_stride;
-    double mass = state->inverse_mass, h = input->duration;
+    double mass = state->inverse_mass, h = input->duration, a[3];
     struct hard_body body = {.lightness = mass};
-    memcpy(body.v, state->v, sizeof body.v);
-    for (int d = 0; d < input->dimension && mass > 0.0; d++)
-        body.v[d] += h * (force[d] * mass + input->gravity[d]);
+    acceleration_of(input, k, a);
+    for (int d = 0; d < 3; d++)
+        body.v[d] = state->v[d] + h * a[d];
     if (input->omega == NULL)
         return body;
     body.swing = 2.5 * mass / (state->radius * state->radius);
@@ -46,26 +55,31 @@ static struct hard_body body_free(const struct hard_input *input, size_t k) {
     return body;
 }
 
-/* The bodies of all particles; returns the largest speed of this rank's own. */
-static double bodies_make(struct hard_solver *solver, const struct hard_input *input) {
+/* The bodies of all particles. Finds the largest speed and acceleration without contacts, over all ranks. */
+static void bodies_make(struct hard_solver *solver, const struct hard_input *input, double most[2]) {
     struct hard_problem *problem = &solver->problem;
     const struct particles *p = input->particles;
-    double square = 0.0;
+    double square = 0.0, pull = 0.0;
     problem->bodies = p->owned + p->ghosts;
     hard_problem_reserve(problem, problem->bodies, 0, 0);
-#pragma omp parallel for schedule(static) reduction(max : square)
+#pragma omp parallel for schedule(static) reduction(max : square, pull)
     for (size_t k = 0; k < p->owned + p->ghosts; k++) {
         problem->body[k] = (struct hard_body){.lightness = p->state[k].inverse_mass};
         if (k < p->owned) {
+            double a[3];
+            acceleration_of(input, k, a);
             problem->body[k] = body_free(input, k);
             square = fmax(square, hard_dot(problem->body[k].v, problem->body[k].v));
+            pull = fmax(pull, hard_dot(a, a));
         } else if (input->omega) {
             problem->body[k].swing =
                 2.5 * p->state[k].inverse_mass / (p->state[k].radius * p->state[k].radius);
         }
     }
     hard_border_send(&solver->border, problem);
-    return sqrt(square);
+    most[0] = sqrt(square);
+    most[1] = sqrt(pull);
+    comm_max(solver->comm, most, 2);
 }
 
 static double residual_of(const struct hard_solver *solver) {
@@ -213,12 +227,13 @@ void hard_solver_step(struct hard_solver *solver, const struct hard_input *input
     *result = (struct hard_result){0};
     solver->duration = input->duration;
     history_rows_free(&solver->pairs.rows); /* of a checkpoint */
-    result->fastest = bodies_make(solver, input);
-    comm_max(solver->comm, &result->fastest, 1);
+    double most[2];
+    bodies_make(solver, input, most);
+    result->fastest = most[0];
     const struct hard_pace pace = {.dt = input->dt,
                                    .duration = input->duration,
                                    .near = fmin(solver->reach, hard_solver_wants(input, result->fastest)),
-                                   .rest = impact_speed * size_of(input->gravity) * input->dt,
+                                   .rest = impact_speed * most[1] * input->dt,
                                    .sweeps = solver->options.sweeps};
     hard_contacts_find(&solver->contacts, problem, &solver->pairs, &input->scene, &solver->terms, &pace);
     hard_border_count(&solver->border, problem);
