@@ -69,8 +69,9 @@ check 'and another wall before the floor' run_scene 1 bed.yaml lid --set threads
     --set 'walls=[{shape: plane, name: lid, point: [0, 0, 39 mm], normal: [0, 0, -1]}, {shape: plane, name: floor, point: [0, 0, 0], normal: [0, 0, 1]}]'
 check 'the same bits' same whole lid
 check 'with other keys of the solver' run_scene 1 bed.yaml keys --set threads=1 --resume whole/checkpoint-800.h5 \
-    --set contact.solver='{kappa: 100, sweeps: 90, tolerance: 1e-5, repair: 0.01}'
+    --set contact.solver='{sweeps: 90, tolerance: 1e-5, repair: 0.01}'
 check 'it rests' rests keys
+check 'with another kappa, whose springs then swing' run_scene 1 bed.yaml springs --set threads=1 --resume whole/checkpoint-800.h5 --set contact.solver.kappa=100
 unsolved() {
     on 1 "$scree" run bed.yaml -o unsolved --quiet --resume hooke/checkpoint-1600.h5 --set contact.law=hooke --set contact.solver=~ \
         --set material_pairs[0].k_n=1e5 --set step.dt=1e-6 >said 2>&1
