@@ -64,7 +64,7 @@ bool timing_choose(struct simulation *s, struct error *error) {
     const struct physics_active *mover = s->physics.mover;
     s->timing.stable = mover->row->mover->expected ? mover->row->mover->expected(&mover->context) : INFINITY;
     if (!isfinite(s->timing.stable))
-        s->timing.stable = physics_limit(&s->physics, INFINITY);
+        s->timing.stable = physics_limit(&s->physics, INFINITY, false);
     s->timing.expected = s->timing.stable;
     if (step->dt > 0) {
         s->clock.dt = step->dt;
@@ -92,7 +92,7 @@ static void dt_change(struct simulation *s, double dt) {
 }
 
 bool timing_contacts(struct simulation *s, struct error *error) {
-    s->timing.stable = physics_limit(&s->physics, s->timing.stable);
+    s->timing.stable = physics_limit(&s->physics, s->timing.stable, false);
     if (!isfinite(s->timing.stable))
         return true;
     if (s->clock.dt_fraction > 0 && s->clock.dt > s->clock.dt_fraction * s->timing.stable &&
@@ -107,7 +107,7 @@ bool timing_due(const struct simulation *s, uint64_t step) {
 }
 
 void timing_look(struct simulation *s) {
-    double stable = physics_limit(&s->physics, s->clock.dt / LOOK_PART), before = s->clock.dt;
+    double stable = physics_limit(&s->physics, s->clock.dt / LOOK_PART, true), before = s->clock.dt;
     char text[256];
     s->timing.stable = fmin(s->timing.stable, stable);
     if (s->clock.dt <= LOOK_PART * stable)

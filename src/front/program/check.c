@@ -176,9 +176,13 @@ static void print_guards(const struct simulation *s, const struct notes *notes) 
     printf("\nguards, at the expected speed of %.4g\n", grains->stable.speed_expected);
     printf("  speed    moves by %.3g of the smallest radius in a step (bound 1)%s\n", moved,
            guard_word(guards->speed, moved > 1));
-    printf("  overlap  like particles, or one and a wall, overlap by %.3g of the radius (bound %g)%s\n",
-           grains->stable.overlaps.met, guards->overlap_bound,
-           guard_word(guards->overlap, grains->stable.overlaps.met > guards->overlap_bound));
+    if (law_has_trait(grains->law.options.normal, "stiff"))
+        printf("  overlap  rigid grains overlap by as little as their solver says (bound %g)%s\n",
+               guards->overlap_bound, guard_word(guards->overlap, false));
+    else
+        printf("  overlap  like particles, or one and a wall, overlap by %.3g of the radius (bound %g)%s\n",
+               grains->stable.overlaps.met, guards->overlap_bound,
+               guard_word(guards->overlap, grains->stable.overlaps.met > guards->overlap_bound));
     if (grains->stable.overlaps.squeezed > grains->stable.overlaps.met)
         printf("           a grain of radius %.3g under the heaviest, on a support, by up to %.3g%s\n",
                grains->stable.overlaps.radius, grains->stable.overlaps.squeezed,
