@@ -51,6 +51,14 @@ static void chain_make(struct hard_problem *problem, uint32_t n, double kappa, d
         problem->row[k] = contact(problem->body, n - 1 - k, n - k, kappa);
 }
 
+/* A floor (body 0), and a sphere of radius 1 on it (body 1); their contact is rigid and without friction. */
+static void single_make(struct hard_problem *problem, double mass, const double v[3]) {
+    problem_begin(problem, 2, 1);
+    problem->body[0] = (struct hard_body){0};
+    problem->body[1] = sphere(mass, 1.0, v);
+    problem->row[0] = contact(problem->body, 0, 1, INFINITY);
+}
+
 static double residual(const struct hard_problem *problem) {
     double sum[3];
     hard_problem_residual(problem, sum);
@@ -146,10 +154,7 @@ static void test_single(void **state) {
     (void)state;
     for (int slides = 0; slides < 2; slides++) {
         struct hard_problem problem;
-        problem_begin(&problem, 2, 1);
-        problem.body[0] = (struct hard_body){0};
-        problem.body[1] = sphere(2.0, 1.0, (double[3]){0.7, 0, -0.5});
-        problem.row[0] = contact(problem.body, 0, 1, INFINITY);
+        single_make(&problem, 2.0, (double[3]){0.7, 0, -0.5});
         problem.row[0].friction = slides ? 0.1 : 10.0;
         hard_problem_sweep(&problem);
         const struct hard_body *b = &problem.body[1];
@@ -167,10 +172,7 @@ static void test_single(void **state) {
 static void test_gap(void **state) {
     (void)state;
     struct hard_problem problem;
-    problem_begin(&problem, 2, 1);
-    problem.body[0] = (struct hard_body){0};
-    problem.body[1] = sphere(1.0, 1.0, (double[3]){0, 0, -0.5});
-    problem.row[0] = contact(problem.body, 0, 1, INFINITY);
+    single_make(&problem, 1.0, (double[3]){0, 0, -0.5});
     problem.row[0].gap = 0.3 * step;
     problem.row[0].bias = 0.3;
     hard_problem_sweep(&problem);
@@ -186,10 +188,7 @@ static void test_gap(void **state) {
 static void test_hertz(void **state) {
     (void)state;
     struct hard_problem problem;
-    problem_begin(&problem, 2, 1);
-    problem.body[0] = (struct hard_body){0};
-    problem.body[1] = sphere(1.0, 1.0, (double[3]){0, 0, -0.5});
-    problem.row[0] = contact(problem.body, 0, 1, INFINITY);
+    single_make(&problem, 1.0, (double[3]){0, 0, -0.5});
     problem.row[0].hertz = 1e7 * step;
     problem.row[0].gap = -1e-5;
     hard_problem_sweep(&problem);
@@ -197,6 +196,26 @@ static void test_hertz(void **state) {
     assert_true(overlap > 0.0);
     assert_true(fabs(problem.row[0].p / (step * 1e7 * overlap * sqrt(overlap)) - 1.0) < 1e-12);
     assert_true(fabs(problem.row[0].p - (problem.body[1].v[2] + 0.5)) < 1e-15);
+    hard_problem_free(&problem);
+}
+
+/* A linear row with a damper: its force is k y + c u of the overlap y at the end of the step, and its spring holds k y^2 / 2. */
+static void test_damper(void **state) {
+    (void)state;
+    const double k = 1e5, c = 30.0;
+    struct hard_problem problem;
+    single_make(&problem, 1.0, (double[3]){0, 0, -0.5});
+    struct hard_row *row = &problem.row[0];
+    row->gap = -1e-5;
+    row->soft_n = 1.0 / (step * (k * step + c));
+    row->damper = step * c;
+    row->bias = row->gap / (step + c / k);
+    hard_problem_sweep(&problem);
+    double u = problem.body[1].v[2], overlap = -row->gap - step * u, stored[2];
+    hard_stored(row, step, step, stored);
+    assert_true(overlap > 0.0 && row->p > 0.0);
+    assert_true(fabs(row->p / (step * (k * overlap - c * u)) - 1.0) < 1e-12);
+    assert_true(fabs(stored[0] / (0.5 * k * overlap * overlap) - 1.0) < 1e-12);
     hard_problem_free(&problem);
 }
 
@@ -299,7 +318,7 @@ int main(void) {
     const struct CMUnitTest tests[] = {cmocka_unit_test(test_chain_rigid), cmocka_unit_test(test_chain_soft),
                                        cmocka_unit_test(test_chain_warm),  cmocka_unit_test(test_heavy),
                                        cmocka_unit_test(test_single),      cmocka_unit_test(test_gap),
-                                       cmocka_unit_test(test_hertz),       cmocka_unit_test(test_impacts),
-                                       cmocka_unit_test(test_colours)};
+                                       cmocka_unit_test(test_hertz),       cmocka_unit_test(test_damper),
+                                       cmocka_unit_test(test_impacts),     cmocka_unit_test(test_colours)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

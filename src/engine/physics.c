@@ -229,9 +229,10 @@ void physics_look(const struct physics_set *set) {
     }
 }
 
-double physics_limit(const struct physics_set *set, double most) {
+double physics_limit(const struct physics_set *set, double most, bool again) {
     PHYSICS_EACH (active, set, limit)
-        most = fmin(most, active->row->limit->of(&active->context, most));
+        if (!again || !active->row->limit->stays)
+            most = fmin(most, active->row->limit->of(&active->context, most));
     return most;
 }
 

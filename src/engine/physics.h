@@ -151,7 +151,8 @@ struct physics_limit {
     /* The largest time step, up to `most`, that is stable for the present state. Collective. */
     double (*of)(const struct physics_context *context, double most);
     const char
-        *why; /* its cause, for messages: "advection of the fluid ..."; NULL: the mover's `why` tells */
+        *why;   /* its cause, for messages: "advection of the fluid ..."; NULL: the mover's `why` tells */
+    bool stays; /* no state changes the limit: a run does not look at it again */
 };
 
 /* Facet of a physics that makes particles of its own (physics_table.h). */
@@ -422,8 +423,8 @@ void physics_full_step(const struct physics_set *set);
 /* Runs the passes before output, after physics_full_step. Collective. */
 void physics_look(const struct physics_set *set);
 
-/* The smallest limit of all physics. */
-double physics_limit(const struct physics_set *set, double most);
+/* The smallest limit of all physics; `again`: in a run, of those that do not stay. */
+double physics_limit(const struct physics_set *set, double most, bool again);
 
 /* The cause of a limit, if that of a physics which tells causes is no larger; else NULL. Collective. */
 const char *physics_limit_why(const struct physics_set *set, double limit);

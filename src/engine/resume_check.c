@@ -46,7 +46,7 @@ static bool check_physics(const struct simulation *s, const char *path,
     return loaded->history_components == components ||
            error_set(error, ERROR_USER,
                      "%s: its contacts have a history of %d numbers, the scene's law has %d: "
-                     "contact.law, friction and rolling must stay",
+                     "contact.law, contact.solver, friction and rolling must stay",
                      path, loaded->history_components, components);
 }
 

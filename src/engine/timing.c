@@ -22,32 +22,40 @@ static void dt_set(struct simulation *s, double dt) {
     physics_prepare(&s->physics);
 }
 
-static bool dt_allowed(const struct simulation *s, struct error *error) {
-    char place[SCENE_PATH_MAX], why[256];
-    if (s->clock.dt <= s->timing.stable || s->scene->step.force)
-        return true;
+/* Writes what sets the stable time step. Collective. */
+static void why_find(struct simulation *s) {
     const struct physics_mover *mover = s->physics.mover->row->mover;
     const char *other = physics_limit_why(&s->physics, s->timing.stable);
+    char *why = s->timing.why;
+    size_t room = sizeof s->timing.why;
     if (other)
-        snprintf(why, sizeof why, "%s", other);
+        snprintf(why, room, "%s", other);
     else if (s->timing.stable < s->timing.expected)
-        snprintf(why, sizeof why, "of the contacts that there are at the start");
+        snprintf(why, room, "of the contacts that there are at the start");
+    else if (mover->why)
+        mover->why(&s->physics.mover->context, why, room);
     else
-        snprintf(why, sizeof why, "of the motion of grains");
-    if (!other && s->timing.stable >= s->timing.expected && mover->why)
-        mover->why(&s->physics.mover->context, why, sizeof why);
+        snprintf(why, room, "of the motion of grains");
+}
+
+static bool dt_allowed(struct simulation *s, struct error *error) {
+    char place[SCENE_PATH_MAX];
+    if (isfinite(s->timing.stable))
+        why_find(s);
+    if (s->clock.dt <= s->timing.stable || s->scene->step.force)
+        return true;
     if (s->scene->step.fraction > 1)
         return error_set(
             error, ERROR_USER,
             "%s: step.fraction: %g of the stable time step, %.6g (%s), is more than all of it; allowed: "
             "up to 1, or step.force: true",
             scene_place(s->scene, "step.fraction", place, sizeof place), s->scene->step.fraction,
-            s->timing.stable, why);
+            s->timing.stable, s->timing.why);
     return error_set(error, ERROR_USER,
                      "%s: step.dt: the time step %.6g is above the stable one, %.6g (%s); allowed: up to "
                      "that, or step.force: true",
                      scene_place(s->scene, "step.dt", place, sizeof place), s->clock.dt, s->timing.stable,
-                     why);
+                     s->timing.why);
 }
 
 bool timing_choose(struct simulation *s, struct error *error) {
@@ -56,7 +64,7 @@ bool timing_choose(struct simulation *s, struct error *error) {
     const struct physics_active *mover = s->physics.mover;
     s->timing.stable = mover->row->mover->expected ? mover->row->mover->expected(&mover->context) : INFINITY;
     if (!isfinite(s->timing.stable))
-        s->timing.stable = physics_limit(&s->physics, INFINITY);
+        s->timing.stable = physics_limit(&s->physics, INFINITY, false);
     s->timing.expected = s->timing.stable;
     if (step->dt > 0) {
         s->clock.dt = step->dt;
@@ -84,7 +92,7 @@ static void dt_change(struct simulation *s, double dt) {
 }
 
 bool timing_contacts(struct simulation *s, struct error *error) {
-    s->timing.stable = physics_limit(&s->physics, s->timing.stable);
+    s->timing.stable = physics_limit(&s->physics, s->timing.stable, false);
     if (!isfinite(s->timing.stable))
         return true;
     if (s->clock.dt_fraction > 0 && s->clock.dt > s->clock.dt_fraction * s->timing.stable &&
@@ -99,7 +107,7 @@ bool timing_due(const struct simulation *s, uint64_t step) {
 }
 
 void timing_look(struct simulation *s) {
-    double stable = physics_limit(&s->physics, s->clock.dt / LOOK_PART), before = s->clock.dt;
+    double stable = physics_limit(&s->physics, s->clock.dt / LOOK_PART, true), before = s->clock.dt;
     char text[256];
     s->timing.stable = fmin(s->timing.stable, stable);
     if (s->clock.dt <= LOOK_PART * stable)

@@ -38,6 +38,7 @@ dist_check_SCRIPTS += \
 	tests/app/resume.sh \
 	tests/app/site.sh \
 	tests/app/solver.sh \
+	tests/app/solver_features.sh \
 	tests/app/stability.sh \
 	tests/app/stages.sh \
 	tests/app/terminal.sh \

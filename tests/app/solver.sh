@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: BSD-3-Clause
 # Hard contacts in whole runs: a bed with a boulder comes to rest on any layout; threads and indexes give the same bits; a resume goes
-# on from the forces of the checkpoint; a grain on a belt ends with 2/7 of its speed; scenes that the solver does not know are refused by name.
+# on from the forces of the checkpoint; a grain on a belt ends with 2/7 of its speed. solver_features.sh tries each feature.
 
 . "$(dirname "$0")/common.sh"
 cd "$out" || exit 1
@@ -53,7 +53,8 @@ check 'it rests' rests stiff
 check 'Hertz at 70 GPa' run_scene 1 bed.yaml hertz --set threads=1 --set contact='{law: hertz, solver: {sweeps: 30}}' --set materials[0].young=70e9 \
     --set materials[0].poisson=0.2
 check 'it rests' rests hertz
-check 'a linear spring' run_scene 1 bed.yaml hooke --set threads=1 --set contact='{law: hooke, solver: {sweeps: 30}}' --set material_pairs[0].k_n=1e5
+check 'a linear spring' run_scene 1 bed.yaml hooke --set threads=1 --set contact='{law: hooke, solver: {sweeps: 30}}' --set material_pairs[0].k_n=1e5 \
+    --set output.checkpoint.every=1600
 check 'it rests' rests hooke
 weights() { # the contact list has the forces that the floor feels
     local file=one/observables.csv
@@ -67,6 +68,16 @@ check 'the same bits' same whole rest
 check 'and another wall before the floor' run_scene 1 bed.yaml lid --set threads=1 --resume whole/checkpoint-800.h5 \
     --set 'walls=[{shape: plane, name: lid, point: [0, 0, 39 mm], normal: [0, 0, -1]}, {shape: plane, name: floor, point: [0, 0, 0], normal: [0, 0, 1]}]'
 check 'the same bits' same whole lid
+check 'with other keys of the solver' run_scene 1 bed.yaml keys --set threads=1 --resume whole/checkpoint-800.h5 \
+    --set contact.solver='{sweeps: 90, tolerance: 1e-5, repair: 0.01}'
+check 'it rests' rests keys
+check 'with another kappa, whose springs then swing' run_scene 1 bed.yaml springs --set threads=1 --resume whole/checkpoint-800.h5 --set contact.solver.kappa=100
+unsolved() {
+    on 1 "$scree" run bed.yaml -o unsolved --quiet --resume hooke/checkpoint-1600.h5 --set contact.law=hooke --set contact.solver=~ \
+        --set material_pairs[0].k_n=1e5 --set step.dt=1e-6 >said 2>&1
+    [ $? = 2 ] && holds said 'contact.law, contact.solver, friction and rolling must stay'
+}
+check 'but not without the solver, whose springs differ' unsolved
 check 'on two ranks' run_scene 2 bed.yaml rest2 --set threads=1 --resume whole/checkpoint-800.h5
 check 'it rests' rests rest2
 
@@ -101,6 +112,88 @@ many=$(for k in $(seq 60); do printf '{name: m%d, density: 1}, ' "$k"; done)
 check 'sixty materials' belt $sphere 1 --set "materials=[$many{name: a, density: 1}]" --set 'particles.material=a' --set 'walls[belt].material=a' \
     --set 'material_pairs=[{restitution: 0.3, friction: 0.1}, {between: [a, a], restitution: 0.3, friction: 0.5}]'
 
+# While it slides, the stress is symmetric as that of the explicit law, xz half of F R / V, and its tangential spring holds F^2 / (2 k_t)
+slides() { # SETTING...
+    rm -rf slides && run_scene 1 belt.yaml slides --set threads=1 --set step.count=100 \
+        --set 'observables={every: 100, list: [{name: stress}, {name: energy}]}' "$@" &&
+        within "$(last_of slides/observables.csv stress_xz)" 5.2359877e-4 5e-7
+}
+check 'the stress of a grain that slides' slides
+check 'the energy of its tangential spring' within "$(last_of slides/observables.csv energy_elastic_tangential)" 3.71361e-8 1e-12
+check 'the stress by the explicit law' slides --set contact='{law: hooke}' --set material_pairs[0].k_n=2000 --set step.dt=5e-4 --set step.count=200
+
+# A grain that moves as given hits a free one: e = 0.5 takes 3/8 m v^2 of what the given motion does. What rests on a frozen grain
+# weighs on it, wherever the frozen one lives
+cat >given.yaml <<'EOS'
+units: none
+box: {lower: [0, 0, 0], upper: [8, 4, 4]}
+gravity: [0, 0, -10]
+step: {dt: 1e-3, count: 1000}
+contact: {law: rigid, tangential: none, solver: {sweeps: 30}}
+materials: [{name: a, density: 1}]
+material_pairs: [{restitution: 0.5}]
+groups: [{name: goes, motion: moving, velocity: [1, 0, 0]}, {name: still, motion: frozen}]
+walls: [{shape: plane, name: floor, point: [0, 0, 0.5], normal: [0, 0, 1]}]
+particles:
+  sources:
+    - {from: single, position: [1, 2, 1], radius: 0.5, group: goes}
+    - {from: single, position: [2.1, 2, 1], radius: 0.5}
+    - {from: single, position: [7, 2, 1], radius: 0.5, group: still}
+    - {from: single, position: [7, 2, 2], radius: 0.5}
+output: {dump: {every: {steps: 1000}, fields: [position, force]}}
+observables: {every: 1000, list: [{name: energy_dissipated}]}
+EOS
+given() { # RANKS SETTING...
+    rm -rf given && run_scene "$1" given.yaml given --set threads=1 "${@:2}" &&
+        within "$(last_of given/observables.csv energy_dissipated)" 0.1963495408 1e-4 &&
+        within "$(rows given | awk '$1 == 3 { print $NF }')" -5.235987756 1e-5
+}
+check 'given motions do work, and frozen grains feel forces' given 1
+check 'the same on 2 ranks' given 2
+check 'the same on 3 ranks, newton off' given 3 --set newton=false
+
+# A wall that moves by a tenth of a radius a step is found before it cuts into a grain at rest without gravity
+cat >piston.yaml <<'EOS'
+units: none
+box: {lower: [0, 0, 0], upper: [20, 4, 4]}
+step: {dt: 1e-2, count: 150}
+contact: {law: rigid, tangential: none, solver: {sweeps: 30}}
+materials: [{name: a, density: 1}]
+material_pairs: [{restitution: 0}]
+walls: [{shape: plane, name: piston, point: [2, 0, 0], normal: [1, 0, 0], motion: [{kind: translate, velocity: [5, 0, 0]}]}]
+particles: {from: single, position: [7, 2, 2], radius: 0.5}
+observables: {every: 1, list: [{name: overlap_max}, {name: momentum}]}
+EOS
+piston() { # RANKS SETTING...: the overlap is that of the spring, a 1/kappa of the way of a step
+    rm -rf piston && run_scene "$1" piston.yaml piston --set threads=1 "${@:2}" &&
+        within "$(awk -F, 'NR > 1 && $2 > most { most = $2 } END { print most }' piston/observables.csv)" 0.0025 1e-4
+}
+check 'a fast wall' piston 1
+check 'a fast wall on 2 ranks' piston 2
+check 'a fast wall of triangles' piston 1 --set 'walls[piston]={name: piston, shape: rectangle, point: [2, 0, 0], along: [0, 4, 0], across: [0, 0, 4], motion: [{kind: translate, velocity: [5, 0, 0]}]}'
+check 'a fast cylinder' piston 1 --set 'walls[piston]={name: piston, shape: cylinder, point: [1, 2, 2], axis: [0, 0, 1], radius: 1, inside: false, motion: [{kind: translate, velocity: [5, 0, 0]}]}'
+
+# A grain rests on a floor by the implicit form of a law with a damper: its spring holds what the overlap says
+cat >spring.yaml <<'EOS'
+units: none
+box: {lower: [0, 0, 0], upper: [4, 4, 4]}
+gravity: [0, 0, -10]
+step: {dt: 1e-3, count: 3000}
+contact: {law: hooke, solver: {sweeps: 30}}
+materials: [{name: a, density: 1}]
+material_pairs: [{restitution: 0.3, friction: 0.3, k_n: 1e4, k_t: 1e4}]
+walls: [{shape: plane, name: floor, point: [0, 0, 0], normal: [0, 0, 1]}]
+particles: {from: single, position: [2, 2, 0.5], radius: 0.5}
+observables: {every: 1000, list: [{name: energy_elastic_normal}]}
+EOS
+spring() { # ENERGY SETTING...
+    rm -rf spring && run_scene 1 spring.yaml spring --set threads=1 "${@:2}" &&
+        within "$(last_of spring/observables.csv energy_elastic_normal)" "$1" 1e-9
+}
+check 'energy of a linear spring, F^2 / (2 k)' spring 1.37077839e-3
+check "energy of Hertz's spring, 2/5 F overlap" spring "$(awk 'BEGIN { f = 10 * atan2(0, -1) / 6; printf "%.12g", 0.4 * f * (f / (4 / 3 * 1e5 / 0.91 * sqrt(0.5) / 2)) ^ (2 / 3) }')" \
+    --set contact.law=hertz --set 'materials=[{name: a, density: 1, young: 1e5, poisson: 0.3}]' --set 'material_pairs=[{restitution: 0.3, friction: 0.3}]'
+
 refuses() { # WORDS FLAG...: exit status 2, one message that begins with the place and has the words
     "$scree" check bed.yaml "${@:2}" >said 2>&1
     [ $? = 2 ] || { cat said; return 1; }
@@ -109,28 +202,34 @@ refuses() { # WORDS FLAG...: exit status 2, one message that begins with the pla
 check 'a rigid law without a solver' refuses 'contact.law: rigid needs contact.solver' --set contact='{law: rigid}'
 check 'a law without a form' refuses 'bed.yaml:4: contact.solver: goes with contact.law hooke, hertz, rigid, not with eepa' --set contact.law=eepa \
     --set materials[0].young=1e7 --set materials[0].poisson=0.2 --set material_pairs[0].plasticity_ratio=0.5
-check 'cohesion' refuses 'cohesion' --set contact.cohesion=sjkr --set material_pairs[0].cohesion_density=1
-check 'rolling' refuses 'rolling' --set contact.rolling=spring
-check 'viscous friction' refuses 'tangential' --set contact.tangential=viscous
-check 'drag' refuses 'drag: does not go with contact.solver yet' --set 'drag={law: stokes, fluid: {density: 1, viscosity: 1e-3, velocity: [0, 0, 0]}}'
-check 'reproducible' refuses 'reproducible: does not go with contact.solver yet; allowed with it: false' --set reproducible=true
-check 'heat' refuses 'heat: does not go with contact.solver yet' --set 'heat={materials: [{conductivity: 1, capacity: 1}]}'
-check 'bonds' refuses 'bonds: does not go with contact.solver yet' --set 'bonds={laws: [{k_n: 1e9, k_s: 1e9}]}'
-check 'a servo' refuses 'no servo' --set 'walls[0].motion=[{kind: servo, direction: [0, 0, 1], force: 1, speed_max: 1}]'
-check 'a box that moves' refuses 'contact.solver: does not go with a box that moves' --set 'box.periodic=true' --set walls=[] --set box.shear=1
-check 'full elasticity' refuses 'restitution is 1; allowed with contact.solver are 0 to 0.95' --set material_pairs[0].restitution=1
+check 'the end of a damper' refuses 'contact.end: has no form in contact.solver; allowed with it: force' --set contact.end=overlap
+check 'the slip of a damper' refuses 'contact.sliding: has no form in contact.solver; allowed with it: series' --set contact.sliding=total
+check 'a tangential damper' refuses 'contact.tangential_damping_ratio: has no form in contact.solver; allowed with it: 1' --set contact.tangential_damping_ratio=0.5
 check 'a step that is too long' refuses 'step.dt: the time step 0.01 is above' --set step.dt=0.01
 check 'an unknown method' refuses 'gauss_seidel' --set contact.solver.name=jacobi
-check 'loads on walls' refuses 'output.walls: does not go' --set output.walls.every.steps=10
 guarded() {
     on 1 "$scree" run bed.yaml -o guarded --quiet --set threads=1 --set guards.residual=stop --set contact.solver='{sweeps: 1, tolerance: 1e-9}' >said 2>&1
     [ $? = 3 ] && holds said 'guards.residual: the residual of the contacts'
 }
 check 'a residual that is not met ends the run if the scene says so' guarded
+warned() { # SETTING: how often a run with too few sweeps warns
+    on 1 "$scree" run bed.yaml -o guarded --overwrite --quiet --set threads=1 --set step.count=400 --set "$1" --set contact.solver='{sweeps: 1, tolerance: 1e-9}' 2>said
+    [ "$(grep -c 'warning: guards.residual: the residual of the contacts' said)" = "$2" ]
+}
+check 'else there is one warning' warned guards.residual=warn 1
+check 'or none' warned guards.residual=off 0
 proposes() { "$scree" check bed.yaml --set step.dt=~ >said 2>&1; holds said 'solver of contacts'; }
 check 'check proposes a step' proposes
-ablates() { "$scree" ablate bed.yaml -o ablated --error --only stiffness >said 2>&1; [ $? = 2 ] && holds said '--only stiffness: allowed in this scene: step, integrator, law, skin'; }
-check 'ablate does not soften rigid grains' ablates
-soft() { "$scree" check bed.yaml --set contact.solver.kappa=1e-3 >said 2>&1; holds said 'NOTE: less than three times the expected speed' && holds said 'NOTE: more than 0.01'; }
+told() { "$scree" check bed.yaml >said 2>&1 && ! grep -E 'end of a contact|overlap by 0 ' said && [ "$(grep -c 'expected speed' said)" = 1 ]; }
+check 'check has one expected speed, and nothing of a law that has no springs' told
+calm() { # SETTING...: a step that is allowed is neither warned of nor changed
+    on 1 "$scree" run bed.yaml -o calm --overwrite --quiet --set threads=1 --set step.count=501 "$@" 2>said
+    ! grep -E 'guards.step|stiffer' said
+}
+check 'a run does not look at the longest step again' calm --set step.dt=5.6e-4
+check 'nor at a fraction of it' calm --set step.dt=~ --set step.fraction=1
+ablates() { "$scree" ablate bed.yaml -o ablated --error --only stiffness >said 2>&1; [ $? = 2 ] && holds said '--only stiffness: allowed in this scene: step, law, skin'; }
+check 'ablate does not soften rigid grains, nor change an integrator that only springs feel' ablates
+soft() { "$scree" check bed.yaml --set contact.solver.kappa=1e-3 >said 2>&1; holds said 'NOTE: contact.solver.kappa: news travels' && holds said 'NOTE: contact.solver.kappa: the heaviest grain'; }
 check 'check says that a medium is too soft' soft
 finish

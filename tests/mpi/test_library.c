@@ -291,6 +291,34 @@ static void stages_follow_each_other_on_all_ranks_alike(void **test) {
     team_finish(team);
 }
 
+/* A force of 5 down on each grain. */
+static void press(void *context, struct scree_simulation *s) {
+    struct scree_field f;
+    (void)context;
+    for (size_t k = 0; scree_field(s, "force", &f) && k < f.count; k++)
+        ((double *)((char *)f.data + k * f.stride))[2] -= 5.0;
+}
+
+static void hard_contacts_feel_the_force_of_the_caller(void **test) {
+    struct team *team = *test;
+    const char *set[] = {"reproducible=false",
+                         "contact={law: rigid, solver: {}}",
+                         "materials=[{name: a, density: 1}]",
+                         "gravity=[0, 0, 0]",
+                         "particles={from: single, position: [0, 5, 0.4], radius: 0.4}",
+                         "observables={every: 20, list: [{name: wall_force}]}"};
+    struct scree_options options = {
+        .communicator = &team->comm.handle, .set = set, .sets = 6, .force = press};
+    struct scree_simulation *s = create(team, &options);
+    if (s) {
+        step(team, s, 60);
+        const double *row = scree_row(s, scree_rows(s) - 1);
+        team_expect(team, scree_columns(s) == 3 && fabs(row[3] + 5.0) < 1e-6, "the floor feels %g", row[3]);
+    }
+    scree_destroy(&s);
+    team_finish(team);
+}
+
 int main(int argc, char **argv) {
     struct team team;
     team_start(&team, &argc, &argv);
@@ -300,6 +328,7 @@ int main(int argc, char **argv) {
         cmocka_unit_test_prestate(particles_come_go_and_are_moved, &team),
         cmocka_unit_test_prestate(stages_follow_each_other_on_all_ranks_alike, &team),
         cmocka_unit_test_prestate(mistakes_and_guards_are_told, &team),
+        cmocka_unit_test_prestate(hard_contacts_feel_the_force_of_the_caller, &team),
     };
     int failed = cmocka_run_group_tests(tests, NULL, NULL);
     return team_stop(&team) + failed;

@@ -237,8 +237,11 @@ static bool has_spin(const struct output_view *view) {
     return spin_of(view->particles) != NULL;
 }
 
-static bool has_history(const struct output_view *view) {
-    return view->contact && view->contact->law && view->contact->law->history_components > 0;
+/* Springs of a solver are no history of the law. */
+static bool has_springs(const struct output_view *view) {
+    const struct law *law = view->contact ? view->contact->law : NULL;
+    return law && (law->history_components > 0 ||
+                   (law->options.solved && law->options.tangential != LAW_TANGENTIAL_NONE));
 }
 
 static bool has_gravity(const struct output_view *view) {
@@ -276,7 +279,7 @@ static const struct observable_kind kinds[] = {
      .parts = 1,
      .needs_sums = true,
      .of_rank = elastic_tangential,
-     .relevant = has_history},
+     .relevant = has_springs},
     {.info = ALL("energy_dissipated", "energy", "J", 1,
                  "work taken since the start by dampers, sliding and springs of contacts that ended"),
      .parts = 1,

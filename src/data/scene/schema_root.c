@@ -303,8 +303,8 @@ static const struct schema_row guards_rows[] = {
      .help = "largest growth allowed, as a part of the largest energy in play"},
     {.key = "residual", .type = SCHEMA_NAME, .names = guard_names, .fallback = "warn",
      AT(struct scene_guards, residual),
-     .help = "a solve for a fluid whose true residual is above ten times its tolerance; a solver that does not converge always "
-             "stops the run"},
+     .help = "a solve for a fluid, or for contacts, whose residual is above ten times its tolerance; a solver of a fluid that "
+             "does not converge always stops the run"},
 };
 static const struct schema_table guards_table = TABLE(guards_rows);
 

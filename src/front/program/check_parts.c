@@ -119,7 +119,7 @@ void check_parts_terms(const struct simulation *s, bool all) {
     snprintf(text, sizeof text, "contact.law: %s", law);
     print_term(&terms, "normal force", scene->materials > 0 ? text : "", "the scene has no materials");
     text[0] = '\0';
-    if (scene->materials > 0)
+    if (scene->materials > 0 && !grains->law.options.solved)
         print_end(s);
     pairs_with(scene, offsetof(struct law_pair, friction), text, sizeof text);
     print_term(&terms, "friction, spin, history",

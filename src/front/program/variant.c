@@ -89,7 +89,7 @@ static void put_laws(struct list *list, const struct scene *scene) {
     /* cohesion and springs that depend on the contact radius go with few other laws */
     bool plain = scene->law.cohesion == LAW_COHESION_NONE && scene->law.tangential <= LAW_TANGENTIAL_HISTORY;
     if (!row->form->linear && plain && !law_has_trait(scene->law.normal, "file") &&
-        scene->law.damping == LAW_DAMPING_RESTITUTION) {
+        !law_has_trait(scene->law.normal, "stiff") && scene->law.damping == LAW_DAMPING_RESTITUTION) {
         snprintf(text, sizeof text, "%s for %s", law_row_get(law_linear())->name, row->name);
         put(list, "law", VARIANT_LINEAR, 0, text);
     }
@@ -134,7 +134,7 @@ int variant_list(struct variant *variant, const struct scene *scene, const struc
     char text[VARIANT_TEXT_MAX];
     variant[0] = (struct variant){.group = "scene", .settings = "as it is"};
     put_steps(&list, facts);
-    for (int k = 0; k < integrator_count(); k++)
+    for (int k = 0; k < integrator_count() && !scene->law.solved; k++)
         if (strcmp(integrator_get(k)->name, scene->integrator) != 0) {
             snprintf(text, sizeof text, "%s", integrator_get(k)->name);
             put(&list, "integrator", VARIANT_INTEGRATOR, k, text);

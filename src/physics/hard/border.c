@@ -87,6 +87,34 @@ void hard_border_count(struct hard_border *border, const struct hard_problem *pr
     }
 }
 
+/* Adds the impulses of a row to the numbers of its end `e`, if that is a particle without lightness. */
+static void gather_end(struct hard_border *border, const struct hard_problem *problem,
+                       const struct hard_row *row, int e) {
+    size_t k = row->body[e], all = border->particles->owned + border->particles->ghosts;
+    double turn[3], sign = e ? 1.0 : -1.0;
+    if (k >= all || problem->body[k].lightness > 0.0)
+        return;
+    hard_cross(row->normal, row->q, turn);
+    for (int d = 0; d < 3; d++) {
+        numbers_of(border, k)[d] += sign * (row->p * row->normal[d] + row->q[d]);
+        numbers_of(border, k)[3 + d] -= row->lever[e] * turn[d];
+    }
+}
+
+void hard_border_gather(struct hard_border *border, const struct hard_problem *problem) {
+    for (size_t k = 0; k < border->particles->owned + border->particles->ghosts; k++)
+        memset(numbers_of(border, k), 0, NUMBERS * sizeof(double));
+    for (size_t r = 0; r < problem->rows; r++)
+        for (int e = 0; e < 2; e++)
+            gather_end(border, problem, &problem->row[r], e);
+    if (border->ghosts)
+        sum_home(border);
+}
+
+const double *hard_border_gathered(const struct hard_border *border, size_t k) {
+    return numbers_of(border, k);
+}
+
 void hard_border_split(const struct hard_border *border, struct hard_problem *problem, bool split) {
     for (size_t k = 0; border->ghosts && k < border->particles->owned + border->particles->ghosts; k++) {
         double factor = split ? border->holders[k] : 1.0 / border->holders[k];

@@ -13,7 +13,7 @@
 struct hard_border {
     struct ghosts *ghosts; /* borrowed; NULL: one rank without copies */
     struct particles *particles;
-    int field;              /* handle of six doubles a particle that travel: velocity and spin */
+    int field;              /* handle of six doubles a particle that travel: velocity and spin, or impulses */
     struct hard_body *last; /* of each particle: what all holders agreed on last */
     double *holders;        /* of each particle, 1 at least */
     size_t room;
@@ -21,12 +21,18 @@ struct hard_border {
 
 void hard_border_free(struct hard_border *border);
 
-/* Sends the velocities of owned bodies to their copies. Collective, as the functions below. */
+/* Sends the velocities of owned bodies to their copies. Collective, as most functions below. */
 void hard_border_send(struct hard_border *border, struct hard_problem *problem);
 
 /* After all rows are known: counts the holders. `split`: the masses of the bodies are split; else they are whole again. */
 void hard_border_count(struct hard_border *border, const struct hard_problem *problem);
 void hard_border_split(const struct hard_border *border, struct hard_problem *problem, bool split);
+
+/* After the solve: sums the impulses on bodies without lightness, of which the originals then have all. Collective. */
+void hard_border_gather(struct hard_border *border, const struct hard_problem *problem);
+
+/* The sum of particle k, an original: impulse and its moment, six doubles. */
+const double *hard_border_gathered(const struct hard_border *border, size_t k);
 
 /* Joins what the holders have done to the velocities since the last exchange: their sum, or their mean where the masses
  * are split. */

@@ -72,6 +72,7 @@ static void stiffen_law(struct hard_row *row, const struct hard_terms *terms, co
     }
     double c = term->damper * sqrt(mass * k);
     row->soft_n = 1.0 / (h * (k * pace->dt + c));
+    row->damper = h * c;
     row->soft_t = term->tangential > 0.0 ? 1.0 / (h * pace->dt * term->tangential) : 0.0;
     if (row->gap < 0.0)
         row->bias = row->gap / (pace->dt + c / k);

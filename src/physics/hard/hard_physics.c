@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
-/* Hard contacts as a physics (engine/physics.h): the one file that joins the solver to the engine. Read hard.h first. */
+/* Hard contacts as a physics (engine/physics.h): joins the solver to the engine. hard_check.c has what they refuse. Read hard.h first. */
 #include "base/memory.h"
+#include "engine/notes.h"
 #include "physics/grains/grains.h"
 #include "physics/hard/hard_state.h"
 #include "kernel/particles/kinds.h"
@@ -8,105 +9,17 @@
 #include "kernel/particles/spin.h"
 #include "data/scene/sizes.h"
 
-/* Largest coefficient of restitution: the pass of restitution may add energy where several impacts
- * meet, and what friction and the other contacts lose makes up for it up to here. */
-static const double restitution_most = 0.95;
-
 /* The longest step: a grain moves by this part of the smallest radius at the expected speed, and a free fall from rest by this
  * part of sqrt(r/g). The default step is a fraction of it (step.fraction). */
 static const double move_most = 0.5, fall_most = 1.0 / 15.0;
 
-/* Overlaps over the smaller radius that `scree check` notes. */
-static const double overlap_most = 0.01;
+/* Noted before a run: overlaps over the smaller radius above this, and news slower than so many expected speeds. */
+static const double overlap_most = 0.01, news_least = 3.0;
 
 static double range(const void *context, int kind_a, double radius_a, int kind_b, double radius_b) {
     (void)radius_a, (void)radius_b;
     return kind_a == KIND_GRAIN && kind_b == KIND_GRAIN ? ((const struct hard *)context)->solver.reach
                                                         : -INFINITY;
-}
-
-/* The laws that have a trait, as a list. */
-static const char *laws_with(const char *trait, char *text, size_t room) {
-    text[0] = '\0';
-    for (int k = 0; k < LAW_COUNT; k++)
-        if (law_has_trait((enum law_normal)k, trait)) {
-            size_t used = strlen(text);
-            snprintf(text + used, room - used, "%s%s", used ? ", " : "",
-                     law_row_get((enum law_normal)k)->name);
-        }
-    return text;
-}
-
-/* Refuses parts of a law that have no form in the solver. */
-static bool check_law(const struct scene *scene, struct error *error) {
-    const struct law_options *o = &scene->law;
-    char laws[128];
-    if (!law_has_trait(o->normal, "implicit"))
-        return scene_fail(scene, error, "contact.solver", "goes with contact.law %s, not with %s",
-                          laws_with("implicit", laws, sizeof laws), law_row_get(o->normal)->name);
-    const struct {
-        const char *key;
-        bool given;
-        const char *allowed;
-    } part[] = {{"contact.cohesion", o->cohesion != LAW_COHESION_NONE, "none"},
-                {"contact.tangential", o->tangential > LAW_TANGENTIAL_HISTORY, "none, history"},
-                {"contact.rolling", o->rolling != LAW_ROLLING_NONE, "none"},
-                {"contact.twisting", o->twisting != LAW_TWISTING_NONE, "none"},
-                {"contact.damping", o->damping != LAW_DAMPING_RESTITUTION, "restitution"},
-                {"contact.lammps_history", o->lammps_history, "false"},
-                {"contact.lammps_granular", o->lammps_granular, "false"}};
-    for (size_t k = 0; k < sizeof part / sizeof part[0]; k++)
-        if (part[k].given)
-            return scene_fail(scene, error, part[k].key, "has no form in contact.solver; allowed with it: %s",
-                              part[k].allowed);
-    return true;
-}
-
-static bool check_pairs(const struct scene *scene, struct error *error) {
-    for (int a = 0; a < scene->materials; a++)
-        for (int b = 0; b <= a; b++) {
-            const struct law_pair *pair = scene_law_pair(scene, a, b);
-            if (pair->restitution > restitution_most)
-                return scene_fail(scene, error, "material_pairs",
-                                  "%s, %s: restitution is %g; allowed with contact.solver are 0 to %g",
-                                  scene->material[b].name, scene->material[a].name, pair->restitution,
-                                  restitution_most);
-            if (pair->extra.static_friction > pair->friction)
-                return scene_fail(scene, error, "material_pairs",
-                                  "%s, %s: static_friction has no form in contact.solver; allowed: no more "
-                                  "than friction",
-                                  scene->material[b].name, scene->material[a].name);
-        }
-    return true;
-}
-
-/* True if a physics does nothing to grains, and has no particles and no step of its own. */
-static bool only_looks(const struct physics *row) {
-    return !row->maker && !row->joints && !row->limit && !row->energy && !row->mover && !row->carrier;
-}
-
-/* Refuses what the solver does not know yet. */
-static bool check(const struct physics_context *context, struct error *error) {
-    const struct scene *scene = context->scene;
-    static const char with[] = "does not go with contact.solver yet; allowed with it: %s";
-    if (scene->materials == 0)
-        return scene_fail(scene, error, "contact.solver", "needs `materials`: grains that touch");
-    if (scene->reproducible)
-        return scene_fail(scene, error, "reproducible", with, "false");
-    for (int k = 0; k < PHYSICS_COUNT; k++)
-        if (scene->physics_given[k] && k != PHYSICS_hard && !only_looks(physics_get((enum physics_number)k)))
-            return scene_fail(scene, error, physics_key((enum physics_number)k), with,
-                              "physics that only look at grains");
-    for (int w = 0; w < scene->walls; w++)
-        for (int m = 0; m < scene->wall[w].motions; m++)
-            if (scene->wall[w].motion[m].kind == WALL_SERVO) {
-                char key[64];
-                snprintf(key, sizeof key, "walls[%d].motion[%d]", w, m);
-                return scene_fail(scene, error, key, with, "motions by order, no servo");
-            }
-    if (output_interval_set(&scene->output.walls.every))
-        return scene_fail(scene, error, "output.walls", with, "no files of loads on walls");
-    return check_law(scene, error) && check_pairs(scene, error);
 }
 
 static void terms_make(struct hard_terms *terms, const struct physics_context *context,
@@ -168,6 +81,14 @@ static void destroy(void *self) {
     memory_free(hard);
 }
 
+/* True if the motion of a group is prescribed. */
+static bool prescribes(const struct integrator_context *motion) {
+    bool any = false;
+    for (int g = 0; g < motion->groups; g++)
+        any = any || motion->motion[g].prescribed;
+    return any;
+}
+
 static struct hard_input input_of(const struct physics_context *context) {
     struct hard *hard = context->self;
     double dt = context->clock->dt;
@@ -178,6 +99,7 @@ static struct hard_input input_of(const struct physics_context *context) {
                                          .list = context->list[0],
                                          .threads = context->threads},
                                .particles = context->particles,
+                               .prescribed = prescribes(grains_motion(context)),
                                .omega = spin_values(context->particles),
                                .dimension = context->box->dimension,
                                .dt = dt,
@@ -286,17 +208,28 @@ static double limit(const struct physics_context *context, double most) {
     return most;
 }
 
+/* True if the last step's residual is above ten times the tolerance. */
+static bool is_doubtful(const struct hard *hard) {
+    double tolerance = hard->solver.options.tolerance;
+    return tolerance > 0.0 && hard->last.residual > 10.0 * tolerance;
+}
+
 static void guard(const struct physics_context *context, struct error *error) {
-    const struct hard *hard = context->self;
-    const struct hard_options *options = &hard->solver.options;
-    if (context->scene->guards.residual != SCENE_GUARD_STOP || error->kind != ERROR_NONE ||
-        !(options->tolerance > 0.0) || !(hard->last.residual > 10.0 * options->tolerance))
+    struct hard *hard = context->self;
+    enum scene_guard guard = context->scene->guards.residual;
+    char text[320];
+    if (!is_doubtful(hard) || guard == SCENE_GUARD_OFF || error->kind != ERROR_NONE)
         return;
-    error_set(error, ERROR_PHYSICS,
-              "guards.residual: the residual of the contacts is %.3g after %d sweeps at step %llu, t = %.9g; "
-              "contact.solver.tolerance is %g: more sweeps, or a shorter step, reach it",
-              hard->last.residual, hard->last.sweeps, (unsigned long long)context->clock->step,
-              context->clock->time, options->tolerance);
+    snprintf(text, sizeof text,
+             "guards.residual: the residual of the contacts is %.3g after %d sweeps at step %llu, t = %.9g; "
+             "contact.solver.tolerance is %g: more sweeps, or a shorter step, reach it",
+             hard->last.residual, hard->last.sweeps, (unsigned long long)context->clock->step,
+             context->clock->time, hard->solver.options.tolerance);
+    if (guard == SCENE_GUARD_STOP)
+        error_set(error, ERROR_PHYSICS, "%s", text);
+    else if (!hard->warned && context->comm->rank == 0)
+        log_tell(context->log, "warning: %s (said once)", text);
+    hard->warned = true;
 }
 
 static void restart(const struct physics_context *context, struct restart *list) {
@@ -326,49 +259,65 @@ static void report(const struct physics_context *context, struct report *report)
                                                                .residual_worst = hard->worst};
 }
 
-/* Prints what the springs of rigid contacts cost: the speed of news, and an overlap; and says if that is too much. */
-static void print_kappa(const struct physics_context *context, FILE *file) {
+/* What the springs of rigid contacts cost: the speed of news, and the overlap of the heaviest grain on one of the lightest. */
+struct price {
+    double news, overlap;
+};
+
+static bool has_price(const struct hard *hard) {
+    return hard->solver.terms.kappa > 0.0 && isfinite(hard->solver.terms.kappa);
+}
+
+static struct price price_of(const struct physics_context *context) {
     const struct hard *hard = context->self;
-    double kappa = hard->solver.terms.kappa, dt = context->clock->dt,
-           speed = grains_of(context->set)->stable.speed_most;
-    double news = sqrt(kappa) * 2.0 * hard->smallest / dt,
-           wants = 9.0 * speed * speed / (news * news) * kappa;
+    double kappa = hard->solver.terms.kappa, dt = context->clock->dt;
     double g = sqrt(hard_dot(context->scene->gravity, context->scene->gravity));
-    double overlap = (1.0 + hard->heavy / hard->light) * g * dt * dt / (kappa * hard->smallest);
-    fprintf(file, "  news         travels about %.3g grains a step: %.4g in the smallest grains\n",
-            sqrt(kappa), news);
-    if (news < 3.0 * speed)
-        fprintf(
-            file,
-            "               NOTE: less than three times the expected speed; contact.solver.kappa: %.3g, or a "
-            "shorter step, is three times that\n",
-            wants);
-    fprintf(
-        file,
-        "  overlap      of the heaviest grain at rest on one of the lightest: %.2g of the smallest radius\n",
-        overlap);
-    if (overlap > overlap_most)
-        fprintf(file,
-                "               NOTE: more than %g; a bed shares the load, one grain needs "
-                "contact.solver.kappa: %.3g with as many sweeps, or a shorter step\n",
-                overlap_most, kappa * overlap / overlap_most);
+    return (struct price){.news = sqrt(kappa) * 2.0 * hard->smallest / dt,
+                          .overlap =
+                              (1.0 + hard->heavy / hard->light) * g * dt * dt / (kappa * hard->smallest)};
+}
+
+static void notes(const struct physics_context *context, struct notes *notes) {
+    const struct hard *hard = context->self;
+    double kappa = hard->solver.terms.kappa;
+    struct price price = price_of(context);
+    if (!has_price(hard))
+        return;
+    if (price.news < news_least * notes->speed_expected) {
+        double more = news_least * notes->speed_expected / price.news;
+        notes_add(
+            notes, false,
+            "contact.solver.kappa: news travels at %.4g, less than %g times the expected speed; kappa: %.3g, "
+            "or a shorter step, is %g times that",
+            price.news, news_least, more * more * kappa, news_least);
+    }
+    if (price.overlap > overlap_most)
+        notes_add(
+            notes, false,
+            "contact.solver.kappa: the heaviest grain at rest on one of the lightest overlaps it by %.2g of "
+            "its radius, more than %g; a bed shares the load, one grain needs kappa: %.3g with as many "
+            "sweeps, "
+            "or a shorter step",
+            price.overlap, overlap_most, kappa * price.overlap / overlap_most);
 }
 
 static void print(const struct physics_context *context, FILE *file) {
     const struct hard *hard = context->self;
     const struct hard_solver *solver = &hard->solver;
-    double radius = hard->smallest, dt = context->clock->dt,
-           speed = grains_of(context->set)->stable.speed_most;
     if (context->comm->rank > 0)
         return;
     fprintf(file, "\nsolver of contacts\n");
-    fprintf(file,
-            "  step         a grain moves by %.3g of the smallest radius at the expected speed of %.4g\n",
-            speed * dt / radius, speed);
     fprintf(file, "  sweeps       up to %d a step, until the residual is %g\n", solver->options.sweeps,
             solver->options.tolerance);
-    if (solver->terms.kappa > 0.0 && isfinite(solver->terms.kappa))
-        print_kappa(context, file);
+    if (has_price(hard)) {
+        struct price price = price_of(context);
+        fprintf(file, "  news         travels about %.3g grains a step: %.4g in the smallest grains\n",
+                sqrt(solver->terms.kappa), price.news);
+        fprintf(file,
+                "  overlap      of the heaviest grain at rest on one of the lightest: %.2g of the smallest "
+                "radius\n",
+                price.overlap);
+    }
     fprintf(file, "  memory       %zu bytes a contact\n",
             sizeof(struct hard_row) + sizeof(struct hard_memory));
 }
@@ -387,14 +336,15 @@ static const struct physics_rows memory = {
     .of = rows, .components = HISTORY_COMPONENTS_USUAL, .due = due, .again = rebuilt_again};
 static const struct physics_limit limits = {
     .of = limit,
-    .why = "a grain would move by half of the smallest radius in a step, or fall by a two-hundredth of it"};
+    .stays = true,
+    .why = "a grain would move by half of the smallest radius in a step, or fall by 1/450 of it"};
 static const struct physics_record record = {.resume = resume};
-static const struct physics_shown shown = {.report = report};
+static const struct physics_shown shown = {.report = report, .notes = notes};
 
 const struct physics hard_physics = {.name = "hard",
                                      .passes = 1,
                                      .pass = &pass,
-                                     .check = check,
+                                     .check = hard_check,
                                      .create = create,
                                      .destroy = destroy,
                                      .rebuilt = rebuilt,

@@ -7,7 +7,7 @@
 /* The residual is looked at every so many sweeps; restitution takes so many. */
 enum { LOOK_EVERY = 5, REBOUND_SWEEPS = 8 };
 
-/* An approach faster than so many times g dt is an impact. */
+/* An approach faster than so many times a dt is an impact, a the largest acceleration without contacts. */
 static const double impact_speed = 8.0;
 
 static double size_of(const double a[3]) {
@@ -15,7 +15,8 @@ static double size_of(const double a[3]) {
 }
 
 double hard_solver_wants(const struct hard_input *input, double fastest) {
-    return 2.0 * input->dt * (fastest + 4.0 * size_of(input->gravity) * input->dt);
+    double walls = input->scene.walls ? walls_speed(input->scene.walls) : 0.0;
+    return 2.0 * input->dt * (fmax(fastest, walls) + 4.0 * size_of(input->gravity) * input->dt);
 }
 
 double hard_solver_fastest(const struct hard_solver *solver, const struct particles *particles) {
@@ -27,16 +28,25 @@ double hard_solver_fastest(const struct hard_solver *solver, const struct partic
     return sqrt(square);
 }
 
+/* The acceleration of particle k without contacts: by gravity, and by the force of a calling program. */
+static void acceleration_of(const struct hard_input *input, size_t k, double a[3]) {
+    const struct particles *p = input->particles;
+    const double *force = p->force + k * (size_t)p->force_stride;
+    double mass = p->state[k].inverse_mass;
+    for (int d = 0; d < 3; d++)
+        a[d] = d < input->dimension && mass > 0.0 ? force[d] * mass + input->gravity[d] : 0.0;
+}
+
 /* Particle k without contacts at the end of the step. */
 static struct hard_body body_free(const struct hard_input *input, size_t k) {
     const struct particles *p = input->particles;
     const struct particle_state *state = &p->state[k];
     const double *force = p->force + k * (size_t)p->force_stride;
-    double mass = state->inverse_mass, h = input->duration;
+    double mass = state->inverse_mass, h = input->duration, a[3];
     struct hard_body body = {.lightness = mass};
-    memcpy(body.v, state->v, sizeof body.v);
-    for (int d = 0; d < input->dimension && mass > 0.0; d++)
-        body.v[d] += h * (force[d] * mass + input->gravity[d]);
+    acceleration_of(input, k, a);
+    for (int d = 0; d < 3; d++)
+        body.v[d] = state->v[d] + h * a[d];
     if (input->omega == NULL)
         return body;
     body.swing = 2.5 * mass / (state->radius * state->radius);
@@ -45,21 +55,31 @@ static struct hard_body body_free(const struct hard_input *input, size_t k) {
     return body;
 }
 
-static void bodies_make(struct hard_solver *solver, const struct hard_input *input) {
+/* The bodies of all particles. Finds the largest speed and acceleration without contacts, over all ranks. */
+static void bodies_make(struct hard_solver *solver, const struct hard_input *input, double most[2]) {
     struct hard_problem *problem = &solver->problem;
     const struct particles *p = input->particles;
+    double square = 0.0, pull = 0.0;
     problem->bodies = p->owned + p->ghosts;
     hard_problem_reserve(problem, problem->bodies, 0, 0);
-#pragma omp parallel for schedule(static)
+#pragma omp parallel for schedule(static) reduction(max : square, pull)
     for (size_t k = 0; k < p->owned + p->ghosts; k++) {
         problem->body[k] = (struct hard_body){.lightness = p->state[k].inverse_mass};
-        if (k < p->owned)
+        if (k < p->owned) {
+            double a[3];
+            acceleration_of(input, k, a);
             problem->body[k] = body_free(input, k);
-        else if (input->omega)
+            square = fmax(square, hard_dot(problem->body[k].v, problem->body[k].v));
+            pull = fmax(pull, hard_dot(a, a));
+        } else if (input->omega) {
             problem->body[k].swing =
                 2.5 * p->state[k].inverse_mass / (p->state[k].radius * p->state[k].radius);
+        }
     }
     hard_border_send(&solver->border, problem);
+    most[0] = sqrt(square);
+    most[1] = sqrt(pull);
+    comm_max(solver->comm, most, 2);
 }
 
 static double residual_of(const struct hard_solver *solver) {
@@ -95,26 +115,30 @@ static void iterate(struct hard_solver *solver, struct hard_result *result) {
     hard_border_split(&solver->border, problem, false);
 }
 
-/* Forces on the owned grains; adds the work that they take, with the mean of the velocities before and after the step. */
-static void forces_give(const struct hard_solver *solver, const struct hard_input *input,
+/* Forces on the owned grains; adds the work that they take, with the mean of the velocities before and after the step.
+ * Those on grains whose motion is prescribed are sums over rows, as no velocity tells them. */
+static void forces_give(struct hard_solver *solver, const struct hard_input *input,
                         struct hard_result *result) {
     struct particles *p = input->particles;
     double lost = 0.0;
+    if (input->prescribed)
+        hard_border_gather(&solver->border, &solver->problem);
 #pragma omp parallel for schedule(static) reduction(+ : lost)
     for (size_t k = 0; k < p->owned; k++) {
         double *force = p->force + k * (size_t)p->force_stride;
         const struct hard_body before = body_free(input, k), *after = &solver->problem.body[k];
         const double *v = p->state[k].v, *w = input->omega ? input->omega[k] : NULL;
         double mass = p->state[k].inverse_mass;
-        if (!(mass > 0.0))
+        if (!(mass > 0.0) && !input->prescribed)
             continue;
+        const double *gathered = mass > 0.0 ? NULL : hard_border_gathered(&solver->border, k);
         for (int d = 0; d < 3; d++) {
-            double impulse = (after->v[d] - before.v[d]) / mass;
+            double impulse = gathered ? gathered[d] : (after->v[d] - before.v[d]) / mass;
             force[d] += impulse / input->duration;
             lost -= 0.5 * impulse * (v[d] + after->v[d]);
         }
         for (int d = 0; d < 3 && w; d++) {
-            double impulse = (after->w[d] - before.w[d]) / before.swing;
+            double impulse = gathered ? gathered[3 + d] : (after->w[d] - before.w[d]) / before.swing;
             force[4 + d] += impulse / input->duration;
             lost -= 0.5 * impulse * (w[d] + after->w[d]);
         }
@@ -138,11 +162,18 @@ static void walls_give(const struct hard_solver *solver, const struct hard_input
     }
 }
 
-/* Largest overlap, contacts, and the sum of separation x force. */
+/* The branch of a row, and the force on its second body. */
+static void pull_of(const struct hard_row *row, double duration, double branch[3], double force[3]) {
+    for (int d = 0; d < 3; d++) {
+        branch[d] = (row->lever[0] + row->lever[1]) * row->normal[d];
+        force[d] = (row->p * row->normal[d] + row->q[d]) / duration;
+    }
+}
+
+/* Largest overlap, contacts, energies and virial. */
 static void account(const struct hard_solver *solver, const struct hard_input *input,
                     struct hard_result *result) {
     const struct particles *p = input->particles;
-    static const int column[6] = {0, 1, 2, 0, 0, 1}, row_of[6] = {0, 1, 2, 1, 2, 2};
     for (size_t r = 0; r < solver->problem.rows; r++) {
         const struct hard_row *row = &solver->problem.row[r];
         bool wall = r >= solver->contacts.pair_rows;
@@ -161,10 +192,9 @@ static void account(const struct hard_solver *solver, const struct hard_input *i
         hard_stored(row, input->dt, input->duration, stored);
         result->stored[0] += row->impact ? 0.0 : stored[0];
         result->stored[1] += row->impact ? 0.0 : stored[1];
-        double length = row->lever[0] + row->lever[1];
-        for (int c = 0; c < 6; c++)
-            result->virial[c] += length * row->normal[column[c]] *
-                                 (row->p * row->normal[row_of[c]] + row->q[row_of[c]]) / input->duration;
+        double branch[3], force[3];
+        pull_of(row, input->duration, branch, force);
+        force_add_virial(result->virial, 1.0, branch, force);
     }
 }
 
@@ -184,11 +214,8 @@ size_t hard_solver_list(const struct hard_solver *solver, const struct particles
                                           .number_j = walls ? SIZE_MAX : row->body[1]};
         contact->id_j =
             walls ? -(int64_t)(solver->contacts.wall[r - pairs].place.wall + 1) : particles->id[row->body[1]];
-        for (int d = 0; d < 3; d++) {
-            contact->normal[d] = row->normal[d];
-            contact->branch[d] = (row->lever[0] + row->lever[1]) * row->normal[d];
-            contact->force[d] = (row->p * row->normal[d] + row->q[d]) / solver->duration;
-        }
+        memcpy(contact->normal, row->normal, sizeof contact->normal);
+        pull_of(row, solver->duration, contact->branch, contact->force);
         count++;
     }
     return count;
@@ -200,19 +227,13 @@ void hard_solver_step(struct hard_solver *solver, const struct hard_input *input
     *result = (struct hard_result){0};
     solver->duration = input->duration;
     history_rows_free(&solver->pairs.rows); /* of a checkpoint */
-    bodies_make(solver, input);
-    double square = 0.0;
-    for (size_t k = 0; k < input->particles->owned; k++)
-        square = fmax(square, hard_dot(problem->body[k].v, problem->body[k].v));
-    for (size_t k = 0; k < solver->contacts.walls; k++)
-        square = fmax(square, hard_dot(solver->contacts.wall[k].place.velocity,
-                                       solver->contacts.wall[k].place.velocity));
-    comm_max(solver->comm, &square, 1);
-    result->fastest = sqrt(square);
+    double most[2];
+    bodies_make(solver, input, most);
+    result->fastest = most[0];
     const struct hard_pace pace = {.dt = input->dt,
                                    .duration = input->duration,
                                    .near = fmin(solver->reach, hard_solver_wants(input, result->fastest)),
-                                   .rest = impact_speed * size_of(input->gravity) * input->dt,
+                                   .rest = impact_speed * most[1] * input->dt,
                                    .sweeps = solver->options.sweeps};
     hard_contacts_find(&solver->contacts, problem, &solver->pairs, &input->scene, &solver->terms, &pace);
     hard_border_count(&solver->border, problem);

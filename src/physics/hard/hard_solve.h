@@ -16,6 +16,7 @@
 struct hard_input {
     struct hard_scene scene;
     struct particles *particles; /* forces of others are there; those of contacts are added */
+    bool prescribed;             /* some grains move as given, or are at rest; the same on all ranks */
     const double (*omega)[4];    /* NULL: particles do not turn */
     double gravity[3];
     int dimension;
@@ -27,7 +28,7 @@ struct hard_result {
     int sweeps;
     double residual;
     uint64_t rows;
-    double fastest; /* largest speed of grains and walls, free or solved */
+    double fastest; /* largest speed of grains without their contacts */
     double
         overlap; /* largest over the smaller radius, at the start of the step; `overlap_id` its particles, a wall
                         is -(number + 1) */
@@ -51,7 +52,7 @@ struct hard_solver {
     int threads;
 };
 
-/* What the present speeds ask of the reach. */
+/* What the present speeds ask of the reach: those of grains up to `fastest`, and those of walls. */
 double hard_solver_wants(const struct hard_input *input, double fastest);
 
 /* Solves a step, and adds the forces of contacts to particles and walls. Collective. */

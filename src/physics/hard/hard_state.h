@@ -1,10 +1,12 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
-/* The state of hard contacts in a run, for the seam to the engine (hard_physics.c) and the observables (hard_rows.c). */
+/* The state of hard contacts in a run, for the seam to the engine (hard_physics.c), its checks of a scene (hard_check.c) and the
+ * observables (hard_rows.c). */
 #ifndef SCREE_HARD_HARD_STATE_H
 #define SCREE_HARD_HARD_STATE_H
 
 #include "physics/hard/hard_solve.h"
 
+struct error;
 struct physics_context;
 
 struct hard {
@@ -17,6 +19,10 @@ struct hard {
     /* Since this program began. */
     uint64_t solves, sweeps, unmet; /* unmet: with a residual above the tolerance */
     double worst;                   /* residual */
+    bool warned;                    /* of a residual */
 };
+
+/* Refuses what the solver does not know yet: the `check` of struct physics. */
+bool hard_check(const struct physics_context *context, struct error *error);
 
 #endif

@@ -8,6 +8,7 @@ libhard_la_SOURCES = \
 	src/physics/hard/contacts.c \
 	src/physics/hard/contacts.h \
 	src/physics/hard/hard.h \
+	src/physics/hard/hard_check.c \
 	src/physics/hard/hard_rows.c \
 	src/physics/hard/pairs.c \
 	src/physics/hard/pairs.h \

@@ -43,9 +43,9 @@ struct hard_row {
     double release;        /* largest speed at which an overlap is released; INFINITY: any */
     double friction;       /* Coulomb's coefficient */
     double hertz;          /* impulse over overlap^(3/2); 0: a linear row */
-    double damper;         /* of such a row: impulse over velocity and overlap^(1/4) */
-    double shear;    /* of such a row: impulse over distance and overlap^(1/2) of its tangential spring */
-    double deep;     /* of such a row: its overlap at the last visit */
+    double damper;   /* impulse over velocity, of Hertz and overlap^(1/4); of a linear row a part of soft_n */
+    double shear;    /* of Hertz: impulse over distance and overlap^(1/2) of its tangential spring */
+    double deep;     /* of Hertz: overlap at the last visit */
     double approach; /* speed of approach at the start of the step, free of this step's impulses */
     double restitution;
     bool
@@ -175,6 +175,9 @@ static inline void hard_stored(const struct hard_row *row, double dt, double dur
         double root = sqrt(row->deep);
         stored[0] = 0.4 * row->hertz / duration * row->deep * row->deep * root;
         soft_t = row->shear * root > 0.0 ? 1.0 / (row->shear * root) : 0.0;
+    } else if (row->damper > 0.0) { /* of the spring alone, by its overlap at the end of the step */
+        double overlap = fmax(0.0, dt * (row->soft_n * row->p + row->bias) - row->gap);
+        stored[0] = 0.5 * (1.0 / row->soft_n - row->damper) / (dt * duration) * overlap * overlap;
     } else {
         stored[0] = share * row->soft_n * row->p * row->p;
     }

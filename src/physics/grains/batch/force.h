@@ -25,6 +25,16 @@ struct force_sums {
     size_t contacts; /* contact_sides / 2; over ranks add up the sides, then halve */
 };
 
+/* Adds a contact with the branch d and the force f on its far end to a virial, `weight` times. */
+static inline void force_add_virial(double virial[6], double weight, const double d[3], const double f[3]) {
+    virial[0] += weight * d[0] * f[0];
+    virial[1] += weight * d[1] * f[1];
+    virial[2] += weight * d[2] * f[2];
+    virial[3] += weight * 0.5 * (d[0] * f[1] + d[1] * f[0]);
+    virial[4] += weight * 0.5 * (d[0] * f[2] + d[2] * f[0]);
+    virial[5] += weight * 0.5 * (d[1] * f[2] + d[2] * f[1]);
+}
+
 /* Sums that no layout changes, of one thread: each term of force_sums.virial, and of force_sums.elastic_normal,
  * without rounding. A contact that two threads or ranks compute adds one half of the same term twice. */
 enum { FORCE_EXACT = 7 };

@@ -94,17 +94,7 @@ static inline void force_set_sticky(struct force_batch *restrict b, int k, const
     force_set_slice(b, k, sticky, (struct force_slice){0, FORCE_STICKY});
 }
 
-/* Adds a contact with the branch d and the force f on its far end to a virial, `weight` times. */
-static inline void force_add_virial(double virial[6], double weight, const double d[3], const double f[3]) {
-    virial[0] += weight * d[0] * f[0];
-    virial[1] += weight * d[1] * f[1];
-    virial[2] += weight * d[2] * f[2];
-    virial[3] += weight * 0.5 * (d[0] * f[1] + d[1] * f[0]);
-    virial[4] += weight * 0.5 * (d[0] * f[2] + d[2] * f[0]);
-    virial[5] += weight * 0.5 * (d[1] * f[2] + d[2] * f[1]);
-}
-
-/* The same without rounding, and the energy of the contact. */
+/* force_add_virial without rounding, and the energy of the contact. */
 static inline void force_add_exact(struct force_exact *exact, double weight, double energy, const double d[3],
                                    const double f[3]) {
     double term[6] = {0};

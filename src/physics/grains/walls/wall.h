@@ -184,6 +184,9 @@ void walls_set_extent(struct walls *walls, const double lower[3], const double u
  * turning about its axis have not moved). */
 double walls_displacement(const struct walls *walls);
 
+/* A bound on the speed of these points across the surface in the last half step. */
+double walls_speed(const struct walls *walls);
+
 /* True if a sphere at x (box-relative) would overlap a wall as it stands now, or be beyond a one-sided one.
  * The room inside of a closed mesh is not solid: only its surface is. Any thread. */
 bool walls_overlap(const struct walls *walls, const double x[3], double radius);

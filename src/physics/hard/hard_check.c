@@ -1,0 +1,99 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
+/* What hard contacts refuse of a scene: laws, parts of laws and other physics. Read hard.h first. */
+#include "physics/hard/hard_state.h"
+#include "engine/physics.h"
+#include "physics_table.h"
+#include <stdio.h>
+#include <string.h>
+
+/* Largest coefficient of restitution: the pass of restitution may add energy where several impacts
+ * meet, and what friction and the other contacts lose makes up for it up to here. */
+static const double restitution_most = 0.95;
+
+/* The laws that have a trait, as a list. */
+static const char *laws_with(const char *trait, char *text, size_t room) {
+    text[0] = '\0';
+    for (int k = 0; k < LAW_COUNT; k++)
+        if (law_has_trait((enum law_normal)k, trait)) {
+            size_t used = strlen(text);
+            snprintf(text + used, room - used, "%s%s", used ? ", " : "",
+                     law_row_get((enum law_normal)k)->name);
+        }
+    return text;
+}
+
+/* Refuses parts of a law that have no form in the solver. */
+static bool check_law(const struct scene *scene, struct error *error) {
+    const struct law_options *o = &scene->law;
+    char laws[128];
+    if (!law_has_trait(o->normal, "implicit"))
+        return scene_fail(scene, error, "contact.solver", "goes with contact.law %s, not with %s",
+                          laws_with("implicit", laws, sizeof laws), law_row_get(o->normal)->name);
+    const struct {
+        const char *key;
+        bool given;
+        const char *allowed;
+    } part[] = {{"contact.cohesion", o->cohesion != LAW_COHESION_NONE, "none"},
+                {"contact.tangential", o->tangential > LAW_TANGENTIAL_HISTORY, "none, history"},
+                {"contact.rolling", o->rolling != LAW_ROLLING_NONE, "none"},
+                {"contact.twisting", o->twisting != LAW_TWISTING_NONE, "none"},
+                {"contact.damping", o->damping != LAW_DAMPING_RESTITUTION, "restitution"},
+                {"contact.end", o->end != LAW_END_FORCE, "force"},
+                {"contact.sliding", o->sliding != LAW_SLIDING_SERIES, "series"},
+                {"contact.tangential_damping_ratio",
+                 o->tangential == LAW_TANGENTIAL_HISTORY && o->tangential_damping_ratio != 1.0, "1"},
+                {"contact.tangential_damping_equal", o->tangential_damping_equal, "false"},
+                {"contact.lammps_history", o->lammps_history, "false"},
+                {"contact.lammps_granular", o->lammps_granular, "false"}};
+    for (size_t k = 0; k < sizeof part / sizeof part[0]; k++)
+        if (part[k].given)
+            return scene_fail(scene, error, part[k].key, "has no form in contact.solver; allowed with it: %s",
+                              part[k].allowed);
+    return true;
+}
+
+static bool check_pairs(const struct scene *scene, struct error *error) {
+    for (int a = 0; a < scene->materials; a++)
+        for (int b = 0; b <= a; b++) {
+            const struct law_pair *pair = scene_law_pair(scene, a, b);
+            if (pair->restitution > restitution_most)
+                return scene_fail(scene, error, "material_pairs",
+                                  "%s, %s: restitution is %g; allowed with contact.solver are 0 to %g",
+                                  scene->material[b].name, scene->material[a].name, pair->restitution,
+                                  restitution_most);
+            if (pair->extra.static_friction > pair->friction)
+                return scene_fail(scene, error, "material_pairs",
+                                  "%s, %s: static_friction has no form in contact.solver; allowed: no more "
+                                  "than friction",
+                                  scene->material[b].name, scene->material[a].name);
+        }
+    return true;
+}
+
+/* True if a physics does nothing to grains, and has no particles and no step of its own. */
+static bool only_looks(const struct physics *row) {
+    return !row->maker && !row->joints && !row->limit && !row->energy && !row->mover && !row->carrier;
+}
+
+bool hard_check(const struct physics_context *context, struct error *error) {
+    const struct scene *scene = context->scene;
+    static const char with[] = "does not go with contact.solver yet; allowed with it: %s";
+    if (scene->materials == 0)
+        return scene_fail(scene, error, "contact.solver", "needs `materials`: grains that touch");
+    if (scene->reproducible)
+        return scene_fail(scene, error, "reproducible", with, "false");
+    for (int k = 0; k < PHYSICS_COUNT; k++)
+        if (scene->physics_given[k] && k != PHYSICS_hard && !only_looks(physics_get((enum physics_number)k)))
+            return scene_fail(scene, error, physics_key((enum physics_number)k), with,
+                              "physics that only look at grains");
+    for (int w = 0; w < scene->walls; w++)
+        for (int m = 0; m < scene->wall[w].motions; m++)
+            if (scene->wall[w].motion[m].kind == WALL_SERVO) {
+                char key[64];
+                snprintf(key, sizeof key, "walls[%d].motion[%d]", w, m);
+                return scene_fail(scene, error, key, with, "motions by order, no servo");
+            }
+    if (output_interval_set(&scene->output.walls.every))
+        return scene_fail(scene, error, "output.walls", with, "no files of loads on walls");
+    return check_law(scene, error) && check_pairs(scene, error);
+}
