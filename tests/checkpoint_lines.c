@@ -44,8 +44,8 @@ static void put_history(const struct checkpoint_loaded *loaded) {
         printf("\n");
     }
     for (size_t k = 0; k < loaded->wall_history.count; k++) {
-        const struct wall_row *row = (const struct wall_row *)loaded->wall_history.row + k;
-        printf("wall contact %lld %d %d", (long long)row->id, row->wall, row->patch);
+        const struct history_row *row = &loaded->wall_history.row[k];
+        printf("wall contact %lld %d %d", (long long)row->id, wall_row_wall(row), wall_row_feature(row));
         put_bytes("value", row->value, bytes);
         printf("\n");
     }

@@ -284,8 +284,9 @@ static void test_rows_follow_removed_particles(void **state) {
     (void)state;
     struct history_row row[4] = {{.id = 1}, {.id = 1}, {.id = 3}, {.id = 4}};
     size_t start[] = {0, 2, 2, 3, 4};
-    struct history_rows rows = {memory_allocate(5, sizeof(size_t), "test"),
-                                memory_allocate(4, sizeof *row, "test"), 4};
+    struct history_rows rows = {.start = memory_allocate(5, sizeof(size_t), "test"),
+                                .row = memory_allocate(4, sizeof *row, "test"),
+                                .count = 4};
     memcpy(rows.start, start, sizeof start);
     memcpy(rows.row, row, sizeof row);
     history_rows_remove(&rows, (const uint8_t[]){0, 1, 1, 0}, 4);

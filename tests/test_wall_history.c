@@ -183,7 +183,7 @@ static void test_rows(void **state) {
     (void)state;
     char file[64];
     struct world w;
-    struct rowset rows;
+    struct history_rows rows;
     uint8_t remove_flag[300];
     slope_file(file);
     open_many(&w, file, 1);
@@ -191,28 +191,28 @@ static void test_rows(void **state) {
         world_step(&w, n % 20 == 0, NULL);
     walls_detach(w.walls, w.particles, &rows);
     assert_true(rows.count > 50);
-    struct wall_row *row = rows.row;
+    struct history_row *row = rows.row;
     size_t left = 0;
     for (int i = 0; i < 300; i++) {
         remove_flag[i] = i % 3 == 1;
         left += remove_flag[i] ? 0 : rows.start[i + 1] - rows.start[i];
     }
-    rowset_remove(&rows, remove_flag, 300);
+    history_rows_remove(&rows, remove_flag, 300);
     particles_remove(w.particles, remove_flag);
     assert_int_equal(rows.count, left);
     for (size_t i = 0; i < w.particles->owned; i++)
         for (size_t r = rows.start[i]; r < rows.start[i + 1]; r++)
             assert_int_equal(row[r].id, w.particles->id[i]);
-    row[0].wall = 7; /* of a wall and of a patch that no longer exist */
-    row[1].patch = 1000000;
+    row[0].partner = wall_row_partner(7, 0); /* of a wall and of a patch that no longer exist */
+    row[1].partner = wall_row_partner(wall_row_wall(&row[1]), 1000000);
     walls_build(w.walls, w.particles, &w.classes);
     walls_attach(w.walls, &rows, w.particles);
-    struct rowset again;
+    struct history_rows again;
     walls_detach(w.walls, w.particles, &again);
     assert_int_equal(again.count, rows.count - 2);
-    assert_memory_equal((struct wall_row *)again.row + again.count - 1, row + rows.count - 1, sizeof *row);
-    rowset_free(&rows);
-    rowset_free(&again);
+    assert_memory_equal(again.row + again.count - 1, row + rows.count - 1, sizeof *row);
+    history_rows_free(&rows);
+    history_rows_free(&again);
     assert_null(rows.row);
     world_close(&w);
     remove(file);

@@ -36,7 +36,7 @@ static void test_springs_of_two_images(void **state) {
     struct wall_options post = {.name = "post", .shape = WALL_CYLINDER, .axis = {0, 1, 0}, .radius = 0.5};
     struct box box = hand_box(4.0);
     struct world w;
-    struct rowset rows;
+    struct history_rows rows;
     box.edge[0] = 2.0;
     box.periodic[0] = true;
     post.point[0] = 1.0;
@@ -57,7 +57,7 @@ static void test_springs_of_two_images(void **state) {
     assert_near(w.particles->state[0].x[0], 0.001, 1e-12);
     assert_springs(&w, -0.001, lower, upper);
     walls_detach(w.walls, w.particles, &rows);
-    rowset_free(&rows);
+    history_rows_free(&rows);
     assert_springs(&w, 0.001, lower, upper);
     assert_springs(&w, 0.03, 0.0, upper); /* parted from the lower one */
     world_close(&w);

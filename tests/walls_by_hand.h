@@ -111,7 +111,7 @@ static inline struct particle_state *world_add(struct world *w, double x, double
 
 /* Candidates again; histories go along. `order` (NULL: as they are) reorders the particles. */
 static inline void world_rebuild(struct world *w, const uint32_t *order) {
-    struct rowset rows;
+    struct history_rows rows;
     size_t owned = w->particles->owned;
     double *radius = memory_allocate(owned, sizeof *radius, "radii");
     struct classes_options options = classes_options_default();
@@ -125,11 +125,11 @@ static inline void world_rebuild(struct world *w, const uint32_t *order) {
     particles_classify(w->particles, &w->classes);
     if (order) {
         particles_reorder(w->particles, order);
-        rowset_reorder(&rows, order, owned);
+        history_rows_reorder(&rows, order, owned);
     }
     walls_build(w->walls, w->particles, &w->classes);
     walls_attach(w->walls, &rows, w->particles);
-    rowset_free(&rows);
+    history_rows_free(&rows);
 }
 
 /* Forces at the present positions (zeroed before); histories advance by dt. */

@@ -185,14 +185,13 @@ bool physics_due(const struct physics_set *set) {
     return due;
 }
 
-void physics_rows(const struct physics_set *set, struct history_rows *rows[PHYSICS_COUNT],
-                  int components[PHYSICS_COUNT]) {
+void physics_rows(const struct physics_set *set, struct history_rows *rows[PHYSICS_COUNT]) {
     memset(rows, 0, PHYSICS_COUNT * sizeof *rows);
     for (int number = 0; number < PHYSICS_COUNT; number++)
         PHYSICS_EACH (active, set, rows)
             if (active->row == entries[number].physics) {
                 rows[number] = active->row->rows->of(&active->context);
-                components[number] = active->row->rows->components;
+                rows[number]->components = active->row->rows->components;
             }
 }
 

@@ -48,7 +48,7 @@
 #include "kernel/pairs/history.h"
 #include "kernel/pairs/interaction.h"
 #include "kernel/pairs/ring.h"
-#include "kernel/pairs/rowset.h"
+#include "kernel/pairs/history_rows.h"
 #include "kernel/particles/fields.h"
 #include "physics_table.h"
 #include "data/scene/scene.h"
@@ -285,8 +285,8 @@ struct physics_obstacles {
     bool (*needed)(const struct physics_context *context);
     void (*search)(const struct physics_context *context);
     /* The memory of contacts with them as rows; and back, after `search`. */
-    void (*detach)(const struct physics_context *context, struct rowset *rows);
-    void (*attach)(const struct physics_context *context, const struct rowset *rows);
+    void (*detach)(const struct physics_context *context, struct history_rows *rows);
+    void (*attach)(const struct physics_context *context, const struct history_rows *rows);
     /* In a rebuild, after particles have come or gone. */
     void (*changed)(const struct physics_context *context);
     /* Fills `error` if the place or the motion of one, or the force on it, is not finite. */
@@ -302,14 +302,14 @@ struct physics_carrier {
 /* Facet of a physics with its own part of a checkpoint, beside fields, rows and restart numbers. */
 struct physics_record {
     /* Fills its part; `rows` are those of the obstacles. All is borrowed until the checkpoint is written. Collective. */
-    void (*save)(const struct physics_context *context, const struct rowset *rows,
+    void (*save)(const struct physics_context *context, const struct history_rows *rows,
                  struct checkpoint *checkpoint);
     /* Refuses a checkpoint of another scene. */
     bool (*fits)(const struct physics_context *context, const char *path,
                  const struct checkpoint_loaded *loaded, struct error *error);
     /* Takes its part, after all restart numbers and before its rows; fills the rows of the obstacles. */
     void (*resume)(const struct physics_context *context, struct checkpoint_loaded *loaded,
-                   struct rowset *rows);
+                   struct history_rows *rows);
 };
 
 struct physics {
@@ -407,9 +407,8 @@ bool physics_rests(const struct physics_set *set);
 /* True if a physics needs a rebuild in the step in progress. */
 bool physics_due(const struct physics_set *set);
 
-/* The rows of all physics, by number, and their components; NULL where a physics has none. */
-void physics_rows(const struct physics_set *set, struct history_rows *rows[PHYSICS_COUNT],
-                  int components[PHYSICS_COUNT]);
+/* The rows of all physics, by number, with their components; NULL where a physics has none. */
+void physics_rows(const struct physics_set *set, struct history_rows *rows[PHYSICS_COUNT]);
 
 /* This rank's parts of all in the balance of energies. */
 void physics_energies(const struct physics_set *set, struct physics_energy *energy);

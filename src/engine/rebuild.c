@@ -49,6 +49,7 @@ static double images_apart(const struct simulation *s) {
 static void reorder(struct simulation *s, struct rebuild_rows *rows) {
     size_t owned = s->particles->owned;
     struct index_view view;
+    struct history_rows *list[REBUILD_SETS];
     tune_begin(s);
     if (rows->stays && !s->search.sorts && rows->revision == s->particles->revision)
         return;
@@ -59,12 +60,8 @@ static void reorder(struct simulation *s, struct rebuild_rows *rows) {
     index_order(s->search.index, &view, order);
     kinds_sort(s->particles, &s->classes, order);
     particles_reorder(s->particles, order);
-    if (rows->pairs.start)
-        history_rows_reorder(&rows->pairs, order, owned);
-    rowset_reorder(&rows->walls, order, owned);
-    for (int k = 0; k < PHYSICS_COUNT; k++)
-        if (rows->carried[k])
-            history_rows_reorder(rows->carried[k], order, owned);
+    for (int k = 0, n = rebuild_rows_list(rows, list); k < n; k++)
+        history_rows_reorder(list[k], order, owned);
 }
 
 static void keep(struct simulation *s, struct rebuild_rows *rows) {
@@ -89,8 +86,8 @@ static void attach(struct simulation *s, struct rebuild_rows *rows) {
         springs_restore(s, rows);
     else if (rows->pairs.start)
         history_attach(s->search.history, &rows->pairs, s->search.list, s->particles, images_apart(s));
-    if (rows->walls.start)
-        s->physics.obstacles->row->obstacles->attach(&s->physics.obstacles->context, &rows->walls);
+    if (rows->obstacles.start)
+        s->physics.obstacles->row->obstacles->attach(&s->physics.obstacles->context, &rows->obstacles);
     skin_reset(s->search.skin, s->particles);
 }
 

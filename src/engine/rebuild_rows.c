@@ -6,7 +6,7 @@
 void rebuild_detach_obstacles(struct simulation *s, struct rebuild_rows *rows) {
     const struct physics_active *obstacles = s->physics.obstacles;
     if (obstacles)
-        obstacles->row->obstacles->detach(&obstacles->context, &rows->walls);
+        obstacles->row->obstacles->detach(&obstacles->context, &rows->obstacles);
 }
 
 void rebuild_detach(struct simulation *s, bool both_ends, struct rebuild_rows *rows) {
@@ -16,7 +16,7 @@ void rebuild_detach(struct simulation *s, bool both_ends, struct rebuild_rows *r
 }
 
 void rebuild_carry(struct simulation *s, struct rebuild_rows *rows) {
-    physics_rows(&s->physics, rows->carried, rows->components);
+    physics_rows(&s->physics, rows->carried);
 }
 
 void rebuild_part(struct simulation *s, struct rebuild_rows *rows) {
@@ -49,49 +49,41 @@ static void loose_settle(struct simulation *s, struct rebuild_rows *rows) {
     rows->near_count = n;
 }
 
-void rebuild_migrate(struct simulation *s, struct rebuild_rows *rows) {
-    struct migrate_rows set[2 + PHYSICS_COUNT];
-    int n = 0, pairs = -1, leave = -1, walls = -1, carried[PHYSICS_COUNT];
-    const size_t sent = s->search.history ? history_row_bytes(s->search.history->components) : 0;
-    if (rows->pairs.start) {
-        pairs = n;
-        set[n++] = (struct migrate_rows){
-            rows->pairs.start, rows->pairs.row, rows->pairs.count, sizeof *rows->pairs.row, sent, NULL};
-    }
-    if (rows->leave.carrier) {
-        leave = n;
-        set[n++] = (struct migrate_rows){NULL, rows->leave.row,    rows->leave.count, sizeof *rows->leave.row,
-                                         sent, rows->leave.carrier};
-    }
-    if (rows->walls.start) {
-        walls = n;
-        set[n++] = (struct migrate_rows){rows->walls.start, rows->walls.row,  rows->walls.count,
-                                         rows->walls.bytes, rows->walls.sent, NULL};
-    }
-    for (int k = 0; k < PHYSICS_COUNT; k++) {
-        const struct history_rows *own = rows->carried[k];
-        carried[k] = n;
-        if (own)
-            set[n++] = (struct migrate_rows){
-                own->start, own->row, own->count, sizeof *own->row, history_row_bytes(rows->components[k]),
-                NULL};
-    }
-    const struct migrate_places places = {rows->place, rows->stay};
-    ghosts_migrate_rows(s->ranks.ghosts, s->particles, &places, set, n);
+int rebuild_rows_list(struct rebuild_rows *rows, struct history_rows *list[REBUILD_SETS]) {
+    int n = 0;
+    if (rows->pairs.start)
+        list[n++] = &rows->pairs;
+    if (rows->obstacles.start)
+        list[n++] = &rows->obstacles;
     for (int k = 0; k < PHYSICS_COUNT; k++)
-        if (rows->carried[k])
-            *rows->carried[k] =
-                (struct history_rows){set[carried[k]].start, set[carried[k]].row, set[carried[k]].count};
-    if (pairs >= 0)
-        rows->pairs = (struct history_rows){set[pairs].start, set[pairs].row, set[pairs].count};
-    if (walls >= 0)
-        rows->walls = (struct rowset){.start = set[walls].start,
-                                      .row = set[walls].row,
-                                      .count = set[walls].count,
-                                      .bytes = set[walls].row_bytes,
-                                      .sent = set[walls].sent};
-    if (leave >= 0) {
-        rows->leave = (struct history_loose){set[leave].carrier, set[leave].row, set[leave].count};
+        if (rows->carried[k] && rows->carried[k]->start)
+            list[n++] = rows->carried[k];
+    return n;
+}
+
+void rebuild_migrate(struct simulation *s, struct rebuild_rows *rows) {
+    struct history_rows *list[REBUILD_SETS];
+    struct migrate_rows set[REBUILD_SETS + 1];
+    const struct migrate_places places = {rows->place, rows->stay};
+    const bool loose = rows->leave.carrier != NULL;
+    int n = rebuild_rows_list(rows, list);
+    for (int k = 0; k < n; k++)
+        set[k] = (struct migrate_rows){.start = list[k]->start,
+                                       .row = list[k]->row,
+                                       .count = list[k]->count,
+                                       .row_bytes = sizeof *list[k]->row,
+                                       .sent = history_row_bytes(list[k]->components)};
+    if (loose)
+        set[n] = (struct migrate_rows){.row = rows->leave.row,
+                                       .count = rows->leave.count,
+                                       .row_bytes = sizeof *rows->leave.row,
+                                       .sent = history_row_bytes(s->search.history->components),
+                                       .carrier = rows->leave.carrier};
+    ghosts_migrate_rows(s->ranks.ghosts, s->particles, &places, set, n + loose);
+    for (int k = 0; k < n; k++)
+        *list[k] = (struct history_rows){set[k].start, set[k].row, set[k].count, list[k]->components};
+    if (loose) {
+        rows->leave = (struct history_loose){set[n].carrier, set[n].row, set[n].count};
         loose_settle(s, rows);
     }
 }
@@ -104,6 +96,6 @@ void rebuild_rows_free(struct rebuild_rows *rows) {
     memory_free(rows->near);
     memory_free(rows->place);
     memory_free(rows->order);
-    rowset_free(&rows->walls);
+    history_rows_free(&rows->obstacles);
     *rows = (struct rebuild_rows){0};
 }

@@ -19,18 +19,23 @@ struct rebuild_rows {
     struct history_loose leave; /* of these, the rows of particles that leave; then of the arrivals */
     uint32_t *near; /* several ranks, the short way: particles that had copies elsewhere; arrivals */
     size_t near_count;
-    uint32_t *order;          /* new particle k is old order[k]; NULL: all stay */
-    struct history_kept kept; /* made between ghosts and search */
-    struct rowset walls;      /* of the obstacles */
+    uint32_t *order;               /* new particle k is old order[k]; NULL: all stay */
+    struct history_kept kept;      /* made between ghosts and search */
+    struct history_rows obstacles; /* of contacts with these */
     /* Those of other physics, in the order of the table; NULL: none. The physics own them. */
     struct history_rows *carried[PHYSICS_COUNT];
-    int components[PHYSICS_COUNT];
     bool again; /* another rebuild follows */
 };
 
 /* Makes the rows of contacts of pairs and with obstacles; of obstacles alone. */
 void rebuild_detach(struct simulation *simulation, bool both_ends, struct rebuild_rows *rows);
 void rebuild_detach_obstacles(struct simulation *simulation, struct rebuild_rows *rows);
+
+/* The sets of rows that there may be: of pairs, of obstacles, of each other physics. */
+enum { REBUILD_SETS = 2 + PHYSICS_COUNT };
+
+/* Lists the sets that there are; returns their number. */
+int rebuild_rows_list(struct rebuild_rows *rows, struct history_rows *list[REBUILD_SETS]);
 
 /* Asks all physics for their rows. */
 void rebuild_carry(struct simulation *simulation, struct rebuild_rows *rows);

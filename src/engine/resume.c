@@ -116,7 +116,6 @@ bool resume_write(struct simulation *s, const struct output_run *run, const char
                                     .tree = domain_tree(s->ranks.domain),
                                     .history = rows.pairs.start ? &rows.pairs : NULL,
                                     .carried = rows.carried,
-                                    .components = rows.components,
                                     .materials = s->scene->materials,
                                     .groups = s->scene->groups,
                                     .material = s->scene->material,
@@ -125,7 +124,7 @@ bool resume_write(struct simulation *s, const struct output_run *run, const char
                                     .lineage = &s->lineage};
     PHYSICS_EACH (active, &s->physics, record)
         if (active->row->record->save)
-            active->row->record->save(&active->context, &rows.walls, &checkpoint);
+            active->row->record->save(&active->context, &rows.obstacles, &checkpoint);
     numbers_put(s, &checkpoint.numbers, &own);
     numbers_list(s, &own, &restart);
     bool good = checkpoint_write(s->comm, run->directory, suffix, &checkpoint,
@@ -143,10 +142,10 @@ static bool carried_take(struct simulation *s, const char *path, struct checkpoi
     for (int k = 0; k < PHYSICS_COUNT; k++) {
         if (rows.carried[k] == NULL || loaded->carried[k].start == NULL)
             continue;
-        if (rows.components[k] != loaded->components[k])
+        if (rows.carried[k]->components != loaded->carried[k].components)
             return error_set(error, ERROR_USER, "%s: the rows of %s have %d numbers each, not %d", path,
-                             physics_get((enum physics_number)k)->name, loaded->components[k],
-                             rows.components[k]);
+                             physics_get((enum physics_number)k)->name, loaded->carried[k].components,
+                             rows.carried[k]->components);
         history_rows_free(rows.carried[k]);
         *rows.carried[k] = loaded->carried[k];
         loaded->carried[k] = (struct history_rows){0};
@@ -174,7 +173,7 @@ static bool take(struct simulation *s, const char *path, struct checkpoint_loade
         loaded->history = (struct history_rows){0};
     }
     PHYSICS_EACH (active, &s->physics, record)
-        active->row->record->resume(&active->context, loaded, &rows->walls);
+        active->row->record->resume(&active->context, loaded, &rows->obstacles);
     return carried_take(s, path, loaded, error);
 }
 

@@ -194,12 +194,9 @@ static size_t remove_run(struct simulation *s, struct rebuild_rows *rows) {
             account_removed(s, k);
     }
     if (marked > 0) {
-        if (rows->pairs.start)
-            history_rows_remove(&rows->pairs, remove, owned);
-        rowset_remove(&rows->walls, remove, owned);
-        for (int k = 0; k < PHYSICS_COUNT; k++)
-            if (rows->carried[k])
-                history_rows_remove(rows->carried[k], remove, owned);
+        struct history_rows *list[REBUILD_SETS];
+        for (int k = 0, n = rebuild_rows_list(rows, list); k < n; k++)
+            history_rows_remove(list[k], remove, owned);
         particles_remove(particles, remove);
     }
     memory_free(remove);
@@ -327,11 +324,9 @@ void sources_run(struct simulation *s, struct rebuild_rows *rows) {
     if (s->particles->owned > (size_t)1 << PARTICLE_INDEX_BITS)
         error_fatal("%zu particles on one rank, at most %zu are possible: use more ranks",
                     s->particles->owned, (size_t)1 << PARTICLE_INDEX_BITS);
-    rows->pairs.start = rowset_extend(rows->pairs.start, before, s->particles->owned);
-    rows->walls.start = rowset_extend(rows->walls.start, before, s->particles->owned);
-    for (int k = 0; k < PHYSICS_COUNT; k++)
-        if (rows->carried[k])
-            rows->carried[k]->start = rowset_extend(rows->carried[k]->start, before, s->particles->owned);
+    struct history_rows *list[REBUILD_SETS];
+    for (int k = 0, n = rebuild_rows_list(rows, list); k < n; k++)
+        history_rows_extend(list[k], before, s->particles->owned);
     if (!s->ranks.alone)
         comm_sum_int(s->comm, &removed, 1);
     s->sources.deleted += (uint64_t)removed;

@@ -30,7 +30,7 @@ struct fixture {
     struct cloud cloud;
     struct particles *particles;
     struct history_rows history;
-    struct rowset wall_history;
+    struct history_rows wall_history;
     struct checkpoint checkpoint;
     struct restart restart;
     struct lineage lineage;
@@ -50,7 +50,8 @@ static inline void make_history(struct fixture *f) {
     f->history.start = memory_allocate(p->owned + 1, sizeof *f->history.start, "test");
     f->wall_history.start = memory_allocate(p->owned + 1, sizeof *f->wall_history.start, "test");
     f->history.row = memory_allocate_zero(4 * p->owned, sizeof *f->history.row, "test");
-    f->wall_history.row = memory_allocate_zero(3 * p->owned, sizeof(struct wall_row), "test");
+    f->wall_history.row = memory_allocate_zero(3 * p->owned, sizeof *f->wall_history.row, "test");
+    f->history.components = f->wall_history.components = COMPONENTS;
     f->history.start[0] = f->wall_history.start[0] = 0;
     for (size_t i = 0; i < p->owned; i++) {
         int64_t id = p->id[i];
@@ -63,8 +64,8 @@ static inline void make_history(struct fixture *f) {
                 row->separation[d] = row_value(id, k, 10 + d);
         }
         for (size_t k = 0; k < (size_t)(id % 3); k++) {
-            struct wall_row *row = (struct wall_row *)f->wall_history.row + f->wall_history.count++;
-            *row = (struct wall_row){.id = id, .wall = (int32_t)k, .patch = (int32_t)(id % 5)};
+            struct history_row *row = &f->wall_history.row[f->wall_history.count++];
+            *row = (struct history_row){.id = id, .partner = wall_row_partner((int)k, (int32_t)(id % 5))};
             for (int c = 0; c < COMPONENTS; c++)
                 row->value[c] = row_value(id, k, 20 + c);
         }
@@ -142,7 +143,7 @@ static inline void fixture_make(struct fixture *f, struct team *team, const stru
 
 static inline void fixture_free(struct fixture *f) {
     history_rows_free(&f->history);
-    rowset_free(&f->wall_history);
+    history_rows_free(&f->wall_history);
     restart_free(&f->restart);
     lineage_free(&f->lineage);
     particles_destroy(&f->particles);
@@ -249,10 +250,9 @@ static inline void expect_particle(struct fixture *f, const struct particles *p,
         team_expect(team, row->value[5] == 0, "unused component");
     }
     for (size_t k = 0; k < wall_rows; k++) {
-        const struct wall_row *row =
-            (const struct wall_row *)l->wall_history.row + l->wall_history.start[i] + k;
-        team_expect(team, row->id == id && row->wall == (int32_t)k && row->patch == id % 5, "wall %zu of %d",
-                    k, (int)id);
+        const struct history_row *row = &l->wall_history.row[l->wall_history.start[i] + k];
+        team_expect(team, row->id == id && wall_row_wall(row) == (int)k && wall_row_feature(row) == id % 5,
+                    "wall %zu of %d", k, (int)id);
         team_expect(team, row->value[2] == row_value(id, k, 22), "wall history %zu of %d", k, (int)id);
     }
 }

@@ -245,7 +245,7 @@ static void rows_travel(void **state) {
         expect_rows(team, fixture.particles, rows);
     }
     /* The history alone, as contacts hand over the history */
-    struct history_rows history = {rows[0].start, rows[0].row, rows[0].count};
+    struct history_rows history = {.start = rows[0].start, .row = rows[0].row, .count = rows[0].count};
     cloud_scatter(&fixture.cloud, 9);
     follow_cloud(&fixture);
     struct migrate_rows again[2] = {{0}};

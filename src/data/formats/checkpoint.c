@@ -59,18 +59,18 @@ static bool put_counts(struct checkpoint_writing *w, const char *name, const siz
 
 /* Writes the rows of pairs of a group: "history", or a physics. */
 static bool put_rows(struct checkpoint_writing *w, const char *group, const struct history_rows *rows,
-                     int components, struct error *error) {
+                     struct error *error) {
     char name[CHECKPOINT_ROWS_NAMES][OUTPUT_NAME_MAX];
     checkpoint_rows_names(group, name);
     if (!put_counts(w, name[CHECKPOINT_ROWS_COUNT], rows->start, error))
         return false;
     int64_t *partner = memory_allocate(rows->count, sizeof *partner, "history rows");
-    size_t width = checkpoint_history_width(components);
+    size_t width = checkpoint_history_width(rows->components);
     double *value = memory_allocate_zero(rows->count * (width + 3), sizeof *value, "history rows");
     for (size_t k = 0; k < rows->count; k++) {
         double *to = value + k * (width + 3);
         partner[k] = rows->row[k].partner;
-        memcpy(to, rows->row[k].value, (size_t)components * sizeof *to);
+        memcpy(to, rows->row[k].value, (size_t)rows->components * sizeof *to);
         memcpy(to + width, rows->row[k].separation, sizeof rows->row[k].separation);
     }
     struct h5_table table = place_rows(w->comm, rows->count);
@@ -85,17 +85,16 @@ static bool put_rows(struct checkpoint_writing *w, const char *group, const stru
 }
 
 static bool put_wall_history(struct checkpoint_writing *w, struct error *error) {
-    const struct rowset *rows = w->checkpoint->wall_history;
-    const struct wall_row *row = rows->row;
+    const struct history_rows *rows = w->checkpoint->wall_history;
     if (!put_counts(w, "/wall_history/count", rows->start, error))
         return false;
     int32_t(*place)[2] = memory_allocate(rows->count, sizeof *place, "wall history rows");
-    size_t width = checkpoint_history_width(w->checkpoint->history_components);
+    size_t width = checkpoint_history_width(rows->components);
     double *value = memory_allocate_zero(rows->count * width, sizeof *value, "wall history rows");
     for (size_t k = 0; k < rows->count; k++) {
-        place[k][0] = row[k].wall;
-        place[k][1] = row[k].patch;
-        memcpy(value + k * width, row[k].value, (size_t)w->checkpoint->history_components * sizeof *value);
+        place[k][0] = wall_row_wall(&rows->row[k]);
+        place[k][1] = wall_row_feature(&rows->row[k]);
+        memcpy(value + k * width, rows->row[k].value, (size_t)rows->components * sizeof *value);
     }
     struct h5_table table = place_rows(w->comm, rows->count);
     table.type = FIELD_INT32;
@@ -117,12 +116,12 @@ static bool put_all(struct checkpoint_writing *w, struct error *error) {
         good = put_field(w, fields.field[k], error);
     /* either every rank has rows, or no rank: the law decides */
     if (good && c->history)
-        good = put_rows(w, "history", c->history, c->history_components, error);
+        good = put_rows(w, "history", c->history, error);
     if (good && c->wall_history)
         good = put_wall_history(w, error);
     for (int k = 0; good && c->carried && k < PHYSICS_COUNT; k++)
         if (c->carried[k])
-            good = put_rows(w, checkpoint_physics_names[k], c->carried[k], c->components[k], error);
+            good = put_rows(w, checkpoint_physics_names[k], c->carried[k], error);
     return good;
 }
 
@@ -133,7 +132,7 @@ static uint64_t estimate_bytes(const struct checkpoint_writing *w) {
     uint64_t carried = 0;
     for (int k = 0; c->carried && k < PHYSICS_COUNT; k++)
         if (c->carried[k])
-            carried += c->carried[k]->count * 8 * (checkpoint_history_width(c->components[k]) + 4);
+            carried += c->carried[k]->count * 8 * (checkpoint_history_width(c->carried[k]->components) + 4);
     const struct field_list fields = fields_with(c->particles, FIELD_RESTART);
     int64_t bytes = (int64_t)(c->particles->owned * (fields_packed_bytes(c->particles, &fields) + 8) +
                               carried + rows * 8 * (checkpoint_history_width(c->history_components) + 4));

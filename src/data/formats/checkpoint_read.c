@@ -142,6 +142,7 @@ static bool get_rows(struct checkpoint_reading *r, const char *group, const stru
     place.width = width + 3;
     good = good && get(r, name[CHECKPOINT_ROWS_VALUE], &place, value, error);
     rows->count = good ? place.count : 0;
+    rows->components = components;
     rows->row = memory_allocate_zero(rows->count, sizeof *rows->row, "history rows");
     for (uint64_t i = 0; good && i < r->count; i++)
         for (size_t k = rows->start[i]; k < rows->start[i + 1]; k++) {
@@ -157,7 +158,7 @@ static bool get_rows(struct checkpoint_reading *r, const char *group, const stru
 }
 
 static bool get_wall_history(struct checkpoint_reading *r, const struct particles *p, struct error *error) {
-    struct rowset *rows = &r->loaded->wall_history;
+    struct history_rows *rows = &r->loaded->wall_history;
     struct h5_table place;
     if (!get_starts(r, "/wall_history/count", "/wall_history/wall_patch", &rows->start, &place, error))
         return false;
@@ -171,13 +172,13 @@ static bool get_wall_history(struct checkpoint_reading *r, const struct particle
     place.width = width;
     good = good && get(r, "/wall_history/value", &place, value, error);
     rows->count = good ? place.count : 0;
-    rows->bytes = sizeof(struct wall_row);
-    rows->sent = wall_row_bytes(r->loaded->history_components);
-    struct wall_row *row = rows->row = memory_allocate_zero(rows->count, sizeof *row, "wall history rows");
+    rows->components = r->loaded->history_components;
+    rows->row = memory_allocate_zero(rows->count, sizeof *rows->row, "wall history rows");
     for (uint64_t i = 0; good && i < r->count; i++)
         for (size_t k = rows->start[i]; k < rows->start[i + 1]; k++) {
-            row[k] = (struct wall_row){.id = p->id[i], .wall = where[k][0], .patch = where[k][1]};
-            memcpy(row[k].value, value + k * width, width * sizeof *value);
+            rows->row[k].id = p->id[i];
+            rows->row[k].partner = wall_row_partner(where[k][0], where[k][1]);
+            memcpy(rows->row[k].value, value + k * width, width * sizeof *value);
         }
     memory_free(where);
     memory_free(value);
@@ -219,7 +220,6 @@ static bool get_carried(struct checkpoint_reading *r, const struct particles *p,
         if (width < HISTORY_COMPONENTS_USUAL + 3 || width > HISTORY_COMPONENTS_MAX + 3)
             return error_set(error, ERROR_USER, "%s: %s: has rows of an unknown width", r->file.path,
                              name[CHECKPOINT_ROWS_VALUE]);
-        r->loaded->components[k] = (int)width - 3;
         good = get_rows(r, checkpoint_physics_names[k], p, (int)width - 3, &r->loaded->carried[k], error);
     }
     return good;
@@ -267,7 +267,7 @@ bool checkpoint_read(const struct comm *comm, const char *path, struct particles
 
 void checkpoint_loaded_free(struct checkpoint_loaded *loaded) {
     history_rows_free(&loaded->history);
-    rowset_free(&loaded->wall_history);
+    history_rows_free(&loaded->wall_history);
     for (int k = 0; k < PHYSICS_COUNT; k++)
         history_rows_free(&loaded->carried[k]);
     domain_tree_destroy(&loaded->tree);

@@ -31,14 +31,13 @@ struct checkpoint {
     const struct restart *restart;     /* NULL: none */
     const struct particles *particles; /* ghosts are ignored */
     const struct box *box;
-    const struct domain_tree *tree;      /* of a bisection; NULL: bricks */
-    int history_components;              /* 0: no history */
-    const struct history_rows *history;  /* NULL where there is none */
-    const struct rowset *wall_history;   /* NULL where there is none */
-    struct history_rows *const *carried; /* PHYSICS_COUNT rows of physics, NULL where there are none */
-    const int *components;               /* their doubles */
-    const struct walls *walls;           /* NULL: none */
-    const char *law;                     /* name of the law */
+    const struct domain_tree *tree;          /* of a bisection; NULL: bricks */
+    int history_components;                  /* 0: no history */
+    const struct history_rows *history;      /* NULL where there is none */
+    const struct history_rows *wall_history; /* NULL where there is none (wall_row_partner) */
+    struct history_rows *const *carried;     /* PHYSICS_COUNT rows of physics, NULL where there are none */
+    const struct walls *walls;               /* NULL: none */
+    const char *law;                         /* name of the law */
     int materials, groups;
     const struct law_material *material; /* names and densities */
     const char *const *group;            /* names */
@@ -64,9 +63,8 @@ struct checkpoint_loaded {
     uint64_t total;           /* particles on all ranks */
     int history_components;
     struct history_rows history;
-    struct rowset wall_history;
+    struct history_rows wall_history;
     struct history_rows carried[PHYSICS_COUNT]; /* of physics; start NULL: the file has none */
-    int components[PHYSICS_COUNT];
     int walls;
     struct checkpoint_wall *wall;
     bool field_read[FIELDS_MAX]; /* by handle: the file has this field of the set of particles */

@@ -89,7 +89,7 @@ void ghosts_migrate(struct ghosts *ghosts, struct particles *particles, struct h
     struct migrate_rows set = {
         .start = rows->start, .row = rows->row, .count = rows->count, .row_bytes = sizeof *rows->row};
     ghosts_migrate_rows(ghosts, particles, &unknown, &set, 1);
-    *rows = (struct history_rows){set.start, set.row, set.count};
+    *rows = (struct history_rows){set.start, set.row, set.count, rows->components};
 }
 
 /* Calls a function for parts of a transfer, by several threads if the transfer is long enough. */

@@ -3,7 +3,6 @@
 #include "kernel/pairs/history.h"
 #include "base/memory.h"
 #include "base/scan.h"
-#include "kernel/pairs/rowset.h"
 #include <assert.h>
 #include <math.h>
 #include <string.h>
@@ -71,12 +70,6 @@ const double *history_record(const struct history *history, const struct history
 
 void history_flip(struct history *history) {
     history->now = 1 - history->now;
-}
-
-void history_rows_free(struct history_rows *rows) {
-    memory_free(rows->start);
-    memory_free(rows->row);
-    *rows = (struct history_rows){0};
 }
 
 size_t history_memory(const struct history *history) {
@@ -199,6 +192,7 @@ static void records_scatter(struct record_walk walk, const struct particles *par
 void history_detach(const struct history *history, const struct pairlist *list,
                     const struct particles *particles, bool both_ends, struct history_rows *rows) {
     size_t owned = particles->owned;
+    rows->components = history->components;
     rows->start = memory_allocate_zero(owned + 1, sizeof *rows->start, "history rows");
     if (list->block_count == 0) {
         rows->count = 0;
@@ -288,24 +282,6 @@ void history_loose_free(struct history_loose *loose) {
     memory_free(loose->carrier);
     memory_free(loose->row);
     *loose = (struct history_loose){0};
-}
-
-/* The rows without their type. */
-static struct rowset rows_of(const struct history_rows *rows) {
-    return (struct rowset){
-        .start = rows->start, .row = rows->row, .count = rows->count, .bytes = sizeof *rows->row};
-}
-
-void history_rows_reorder(struct history_rows *rows, const uint32_t *order, size_t owned) {
-    struct rowset all = rows_of(rows);
-    rowset_reorder(&all, order, owned);
-    *rows = (struct history_rows){all.start, all.row, all.count};
-}
-
-void history_rows_remove(struct history_rows *rows, const uint8_t *remove, size_t owned) {
-    struct rowset all = rows_of(rows);
-    rowset_remove(&all, remove, owned);
-    rows->count = all.count;
 }
 
 /* Data of an attach. */

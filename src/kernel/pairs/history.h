@@ -16,12 +16,8 @@
 #ifndef SCREE_PAIRS_HISTORY_H
 #define SCREE_PAIRS_HISTORY_H
 
+#include "kernel/pairs/history_rows.h"
 #include "kernel/pairs/pairlist.h"
-#include <stddef.h>
-
-/* HISTORY_COMPONENTS_USUAL: of a law without parts (physics/grains/laws/law_parts.h); rows on the wire and in checkpoints
- * have as many at least. */
-enum { HISTORY_COMPONENTS_USUAL = 6, HISTORY_COMPONENTS_MAX = 12 };
 
 /* The records of one thread, in one of the two buffers. */
 struct history_part {
@@ -39,26 +35,6 @@ struct history {
     int threads;
     int now;                      /* buffer that holds the records of the last force evaluation */
     struct history_part *part[2]; /* [buffer][thread] */
-};
-
-/* A record on the move: between detach and attach. */
-struct history_row {
-    int64_t id, partner;                  /* the particle that carries it, and the other one */
-    double separation[3];                 /* x_higher - x_lower when detached: tells images apart */
-    double value[HISTORY_COMPONENTS_MAX]; /* oriented from the lower id to the higher */
-};
-
-/* The first bytes of a row that matter where records have so many doubles: as many travel. */
-static inline size_t history_row_bytes(int components) {
-    int sent = components > HISTORY_COMPONENTS_USUAL ? components : HISTORY_COMPONENTS_USUAL;
-    return offsetof(struct history_row, value) + (size_t)sent * sizeof(double);
-}
-
-/* Rows by particle: particle k (owned, present order) carries row[start[k]] ... row[start[k + 1] - 1]. */
-struct history_rows {
-    size_t *start; /* owned + 1 entries */
-    struct history_row *row;
-    size_t count;
 };
 
 /* All components are odd until the caller sets `odd`. */
@@ -105,12 +81,6 @@ void history_loosen(const struct history *history, const struct pairlist *list,
 /* Moves the rows of `more` behind those of `loose`, and frees `more`. */
 void history_loose_join(struct history_loose *loose, struct history_loose *more);
 void history_loose_free(struct history_loose *loose);
-
-/* Follows particles_reorder with the same order; and particles_remove with the same flags (ghosts == 0,
- * before the particles change). */
-void history_rows_reorder(struct history_rows *rows, const uint32_t *order, size_t owned);
-void history_rows_remove(struct history_rows *rows, const uint8_t *remove, size_t owned);
-void history_rows_free(struct history_rows *rows);
 
 /* Hands the rows to the pairs of the new list (after the rebuild); rows of pairs that are no longer in the
  * list are dropped. If two particles can meet through several images, a row belongs to the pair whose

@@ -5,11 +5,11 @@ libpairs_la_SOURCES = \
 	src/kernel/pairs/history.c src/kernel/pairs/history.h \
 	src/kernel/pairs/history_follow.c src/kernel/pairs/history_follow.h \
 	src/kernel/pairs/history_keep.c src/kernel/pairs/history_keep.h \
+	src/kernel/pairs/history_rows.c src/kernel/pairs/history_rows.h \
 	src/kernel/pairs/interaction.c src/kernel/pairs/interaction.h \
 	src/kernel/pairs/pairlist.c src/kernel/pairs/pairlist.h \
 	src/kernel/pairs/pairlist_shares.c src/kernel/pairs/pairlist_build.c src/kernel/pairs/pairlist_build.h \
 	src/kernel/pairs/ring.c src/kernel/pairs/ring.h \
-	src/kernel/pairs/rowset.c src/kernel/pairs/rowset.h \
 	src/kernel/pairs/skin.c src/kernel/pairs/skin.h \
 	src/kernel/pairs/skin_choice.c src/kernel/pairs/skin_choice.h \
 	src/kernel/pairs/sweep.c src/kernel/pairs/sweep.h \

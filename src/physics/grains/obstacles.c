@@ -49,13 +49,13 @@ static void search(const struct physics_context *context) {
     walls_build(walls, context->particles, context->classes);
 }
 
-static void detach(const struct physics_context *context, struct rowset *rows) {
+static void detach(const struct physics_context *context, struct history_rows *rows) {
     const struct grains *grains = context->self;
     if (grains->walls && grains->law.history_components)
         walls_detach(grains->walls, context->particles, rows);
 }
 
-static void attach(const struct physics_context *context, const struct rowset *rows) {
+static void attach(const struct physics_context *context, const struct history_rows *rows) {
     walls_attach(grains_walls(context), rows, context->particles);
 }
 

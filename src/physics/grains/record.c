@@ -14,7 +14,7 @@ static void wall_forces_gather(const struct physics_context *context, struct wal
     walls_set_forces(walls, force);
 }
 
-static void save(const struct physics_context *context, const struct rowset *rows,
+static void save(const struct physics_context *context, const struct history_rows *rows,
                  struct checkpoint *checkpoint) {
     struct grains *grains = context->self;
     if (grains->walls && context->comm->size > 1)
@@ -39,17 +39,18 @@ static bool fits(const struct physics_context *context, const char *path,
 
 /* Finds walls by their names: the scene may have other walls, or the same walls in another order. */
 static void rows_rename(const struct scene *scene, const struct checkpoint_loaded *loaded) {
-    const struct rowset *rows = &loaded->wall_history;
-    struct wall_row *row = rows->row;
+    const struct history_rows *rows = &loaded->wall_history;
     for (size_t k = 0; k < rows->count; k++) {
-        int wall = row[k].wall;
+        struct history_row *row = &rows->row[k];
+        int wall = wall_row_wall(row);
         bool known = wall >= 0 && wall < loaded->walls;
-        row[k].wall = known ? scene_wall(scene, loaded->wall[wall].name) : -1;
+        row->partner =
+            wall_row_partner(known ? scene_wall(scene, loaded->wall[wall].name) : -1, wall_row_feature(row));
     }
 }
 
 static void resume(const struct physics_context *context, struct checkpoint_loaded *loaded,
-                   struct rowset *rows) {
+                   struct history_rows *rows) {
     struct grains *grains = context->self;
     if (grains->walls == NULL)
         return;
@@ -63,7 +64,7 @@ static void resume(const struct physics_context *context, struct checkpoint_load
     if (grains->law.history_components == 0)
         return;
     *rows = loaded->wall_history;
-    loaded->wall_history = (struct rowset){0};
+    loaded->wall_history = (struct history_rows){0};
 }
 
 const struct physics_record grains_record = {.save = save, .fits = fits, .resume = resume};

@@ -307,27 +307,14 @@ void hard_contacts_remember(struct hard_contacts *contacts, const struct hard_pr
     }
 }
 
-/* A feature of a wall as the partner of a row. */
-static int64_t partner_of(int wall, int32_t feature) {
-    return -1 - wall - (int64_t)WALLS_MAX * feature;
-}
-
-static int wall_of(const struct history_row *row) {
-    return (int)((-1 - row->partner) % WALLS_MAX);
-}
-
-static int32_t feature_of(const struct history_row *row) {
-    return (int32_t)((-1 - row->partner) / WALLS_MAX);
-}
-
 void hard_contacts_rename(struct history_rows *rows, const int *now, int walls, size_t owned) {
     for (size_t r = 0; rows->start && r < rows->start[owned]; r++) {
         struct history_row *row = &rows->row[r];
         if (row->partner >= 0)
             continue;
-        int wall = wall_of(row) < walls ? now[wall_of(row)] : -1;
+        int wall = wall_row_wall(row) < walls ? now[wall_row_wall(row)] : -1;
         if (wall >= 0)
-            row->partner = partner_of(wall, feature_of(row));
+            row->partner = wall_row_partner(wall, wall_row_feature(row));
         else
             row->value[3] = 0.0;
     }
@@ -351,9 +338,10 @@ void hard_contacts_detach(const struct hard_contacts *contacts, struct hard_pair
         for (; p < contacts->pasts && contacts->past[p].particle == k; p++) {
             const struct hard_wall_memory *past = &contacts->past[p];
             const double *rub = past->memory.rub;
-            all.row[all.count++] = (struct history_row){.id = particles->id[k],
-                                                        .partner = partner_of(past->wall, past->feature),
-                                                        .value = {rub[0], rub[1], rub[2], past->memory.push}};
+            all.row[all.count++] =
+                (struct history_row){.id = particles->id[k],
+                                     .partner = wall_row_partner(past->wall, past->feature),
+                                     .value = {rub[0], rub[1], rub[2], past->memory.push}};
         }
     }
     all.start[particles->owned] = all.count;
@@ -374,8 +362,8 @@ void hard_contacts_attach(struct hard_contacts *contacts, const struct hard_pair
                                                sizeof *contacts->past);
             contacts->past[contacts->pasts++] = (struct hard_wall_memory){
                 .particle = (uint32_t)k,
-                .wall = wall_of(row),
-                .feature = feature_of(row),
+                .wall = wall_row_wall(row),
+                .feature = wall_row_feature(row),
                 .memory = {row->value[3], {row->value[0], row->value[1], row->value[2]}}};
         }
 }

@@ -240,7 +240,7 @@ static void restart(const struct physics_context *context, struct restart *list)
 
 /* Finds walls by their names: the scene may have other walls, or the same in another order. */
 static void resume(const struct physics_context *context, struct checkpoint_loaded *loaded,
-                   struct rowset *rows) {
+                   struct history_rows *rows) {
     int now[WALLS_MAX];
     (void)rows;
     for (int w = 0; w < loaded->walls; w++)

@@ -28,7 +28,7 @@
 
 #include "physics/grains/batch/force.h"
 #include "physics/grains/laws/law.h"
-#include "kernel/pairs/rowset.h"
+#include "kernel/pairs/history_rows.h"
 #include "kernel/particles/particles.h"
 #include <stdio.h>
 
@@ -294,23 +294,24 @@ size_t walls_loads(const struct walls *walls, const struct force_context *contex
 size_t walls_contacts(const struct walls *walls, const struct force_context *context,
                       struct force_contact **contacts);
 
-/* History of wall contacts on the move, by particle: like history_rows, keyed by wall and feature. */
-struct wall_row {
-    int64_t id;
-    int32_t wall, patch; /* patch: number of the feature, see above */
-    double value[HISTORY_COMPONENTS_MAX];
-};
-/* The first bytes of a row that matter where records have so many doubles: as many travel. */
-static inline size_t wall_row_bytes(int components) {
-    int sent = components > HISTORY_COMPONENTS_USUAL ? components : HISTORY_COMPONENTS_USUAL;
-    return offsetof(struct wall_row, value) + (size_t)sent * sizeof(double);
+/* The partner of the row of a contact with a wall: below 0. A wall or a feature that no scene has gives 0, which is none. */
+static inline int64_t wall_row_partner(int wall, int32_t feature) {
+    bool may_be = wall >= 0 && wall < WALLS_MAX && feature >= 0;
+    return may_be ? -1 - wall - (int64_t)WALLS_MAX * feature : 0;
 }
-/* Before and after a rebuild; the rows are struct wall_row. detach allocates `rows` (also if there is no history: then no row) and forgets
+/* The wall of such a row, and the number of its feature, see above; -1 of any other row. */
+static inline int wall_row_wall(const struct history_row *row) {
+    return row->partner < 0 ? (int)((-1 - row->partner) % WALLS_MAX) : -1;
+}
+static inline int32_t wall_row_feature(const struct history_row *row) {
+    return row->partner < 0 ? (int32_t)((-1 - row->partner) / WALLS_MAX) : -1;
+}
+/* Before and after a rebuild; the partners of rows are those of wall_row_partner. detach allocates `rows` (also if there is no history: then no row) and forgets
  * the images of contacts, as the rows have no images: so a run that goes on without a rebuild and a run that
  * goes on from the rows are the same. attach gives the rows to the new candidates. attach drops rows of walls
  * or features that no longer exist, and of walls that the particle is no longer near. */
-void walls_detach(struct walls *walls, const struct particles *particles, struct rowset *rows);
-void walls_attach(struct walls *walls, const struct rowset *rows, const struct particles *particles);
+void walls_detach(struct walls *walls, const struct particles *particles, struct history_rows *rows);
+void walls_attach(struct walls *walls, const struct history_rows *rows, const struct particles *particles);
 
 /* Poses, for checkpoints and output. The wall's motions go on from a pose that was set: if these motions led
  * to the pose, as without a break (bitwise), else from the pose. */

@@ -98,25 +98,24 @@ void walls_recall(const struct walls *walls, size_t k, int w, size_t count, stru
     }
 }
 
-void walls_detach(struct walls *walls, const struct particles *particles, struct rowset *rows) {
+void walls_detach(struct walls *walls, const struct particles *particles, struct history_rows *rows) {
     struct wall_records *now = &walls->records[walls->now];
     size_t components = (size_t)walls->law->history_components, at = 0, k = 0;
     size_t candidates = components > 0 ? walls->candidates : 0;
-    *rows =
-        (struct rowset){.start = memory_allocate(particles->owned + 1, sizeof *rows->start, "wall history"),
-                        .bytes = sizeof(struct wall_row),
-                        .sent = wall_row_bytes((int)components)};
+    *rows = (struct history_rows){
+        .start = memory_allocate(particles->owned + 1, sizeof *rows->start, "wall history"),
+        .components = (int)components};
     for (size_t c = 0; c < candidates; c++)
         rows->count += (size_t)now->count[c];
-    struct wall_row *row = rows->row = memory_allocate_zero(rows->count, sizeof *row, "wall history");
+    struct history_row *row = rows->row = memory_allocate_zero(rows->count, sizeof *row, "wall history");
     for (size_t i = 0; i < particles->owned; i++) {
         rows->start[i] = at;
         if (k == candidates || walls->particle[k] != i)
             continue;
         for (size_t r = walls->first[k]; r < walls->first[k] + (size_t)now->count[k]; r++) {
             now->key[r].image = WALL_IMAGE_LOST; /* the image is lost here, as in the rows */
-            row[at] = (struct wall_row){
-                .id = particles->id[i], .wall = now->key[r].wall, .patch = now->key[r].feature};
+            row[at] = (struct history_row){
+                .id = particles->id[i], .partner = wall_row_partner(now->key[r].wall, now->key[r].feature)};
             memcpy(row[at++].value, now->value + r * components, components * sizeof *row->value);
         }
         k++;
@@ -125,9 +124,10 @@ void walls_detach(struct walls *walls, const struct particles *particles, struct
 }
 
 /* True if the wall and the feature of a row of history exist. */
-static bool row_exists(const struct walls *walls, const struct wall_row *row) {
-    return row->wall >= 0 && row->wall < walls->count && row->patch >= 0 &&
-           (size_t)row->patch < walls_features(&walls->wall[row->wall]);
+static bool row_exists(const struct walls *walls, const struct history_row *row) {
+    int wall = wall_row_wall(row);
+    return wall >= 0 && wall < walls->count &&
+           (size_t)wall_row_feature(row) < walls_features(&walls->wall[wall]);
 }
 
 static bool triangle_has(const struct wall_triangle *t, int32_t feature) {
@@ -144,44 +144,46 @@ enum row_place {
     ROW_HERE
 };
 
-static enum row_place row_place(const struct walls *walls, size_t k, const struct wall_row *row) {
+static enum row_place row_place(const struct walls *walls, size_t k, const struct history_row *row) {
     enum row_place place = ROW_AWAY;
+    int wall = wall_row_wall(row);
+    int32_t feature = wall_row_feature(row);
     for (size_t p = walls->first[k]; p < walls->first[k + 1] && place != ROW_HERE; p++) {
         const struct wall_piece *piece = &walls->piece[p];
         const struct wall_mesh *mesh = walls->wall[piece->wall].mesh;
-        if (piece->wall == row->wall)
-            place = mesh == NULL || triangle_has(&mesh->triangle[piece->triangle], row->patch) ? ROW_HERE
-                                                                                               : ROW_BESIDE;
+        if (piece->wall == wall)
+            place = mesh == NULL || triangle_has(&mesh->triangle[piece->triangle], feature) ? ROW_HERE
+                                                                                            : ROW_BESIDE;
     }
     return place;
 }
 
 /* Gives candidate k the rows [first, last) that stand to it as `place`, as far as there is room. */
-static void attach_rows(struct walls *walls, size_t k, const struct wall_row *first,
-                        const struct wall_row *last, enum row_place place) {
+static void attach_rows(struct walls *walls, size_t k, const struct history_row *first,
+                        const struct history_row *last, enum row_place place) {
     struct wall_records *now = &walls->records[walls->now];
     size_t components = (size_t)walls->law->history_components;
     size_t at = walls->first[k] + (size_t)now->count[k];
-    for (const struct wall_row *row = first; row < last && at < walls->first[k + 1]; row++) {
+    for (const struct history_row *row = first; row < last && at < walls->first[k + 1]; row++) {
         if (!row_exists(walls, row) || row_place(walls, k, row) != place)
             continue;
-        now->key[at] =
-            (struct wall_key){.wall = (int16_t)row->wall, .image = WALL_IMAGE_LOST, .feature = row->patch};
+        now->key[at] = (struct wall_key){
+            .wall = (int16_t)wall_row_wall(row), .image = WALL_IMAGE_LOST, .feature = wall_row_feature(row)};
         memcpy(now->value + at * components, row->value, components * sizeof *row->value);
         at++;
     }
     now->count[k] = (int32_t)(at - walls->first[k]);
 }
 
-void walls_attach(struct walls *walls, const struct rowset *rows, const struct particles *particles) {
+void walls_attach(struct walls *walls, const struct history_rows *rows, const struct particles *particles) {
     (void)particles; /* without assertions */
     assert(walls->candidates == 0 || walls->particle[walls->candidates - 1] < particles->owned);
     if (walls->law->history_components == 0 || rows->count == 0)
         return;
-    const struct wall_row *row = rows->row;
+    const struct history_row *row = rows->row;
     for (size_t k = 0; k < walls->candidates; k++) {
-        const struct wall_row *first = row + rows->start[walls->particle[k]];
-        const struct wall_row *last = row + rows->start[walls->particle[k] + 1];
+        const struct history_row *first = row + rows->start[walls->particle[k]];
+        const struct history_row *last = row + rows->start[walls->particle[k] + 1];
         attach_rows(walls, k, first, last, ROW_HERE);
         attach_rows(walls, k, first, last, ROW_BESIDE);
     }
