@@ -404,13 +404,34 @@ static void test_absent(void **state) {
                 law_range(&law, 1.0, INFINITY) > law_range(&law, 1.0, 1.0));
 }
 
+/* A pair of materials has a range of its own; that of all is the largest. */
+static void test_range(void **state) {
+    (void)state;
+    struct law law;
+    struct error error = {0};
+    struct law_options options = law_options_default();
+    const struct law_material materials[2] = {{.density = 1.0, .young = 1e4, .poisson = 0.3},
+                                              {.density = 1.0, .young = 1e4, .poisson = 0.3}};
+    struct law_pair pair[4];
+    options.cohesion = LAW_COHESION_VAN_DER_WAALS;
+    for (int k = 0; k < 4; k++)
+        pair[k] = (struct law_pair){.restitution = 0.5,
+                                    .extra = {.hamaker = 1.0, .gap_least = 1e-3, .cut_off = 0.1 + 0.1 * k}};
+    assert_true(law_prepare(&law, &options, 2, materials, pair, &error));
+    assert_true(law_range_of(&law, 0, 0, 1.0, INFINITY) == 0.1);
+    assert_true(law_range_of(&law, 1, 0, 1.0, INFINITY) == law_range_of(&law, 0, 1, 1.0, INFINITY));
+    assert_true(law_range_of(&law, 0, 1, 1.0, INFINITY) == pair[1].extra.cut_off);
+    assert_true(law_range(&law, 1.0, INFINITY) == pair[3].extra.cut_off);
+    law_free(&law);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_energies),   cmocka_unit_test(test_jkr),
         cmocka_unit_test(test_jkr_digits), cmocka_unit_test(test_pulls),
         cmocka_unit_test(test_mirror),     cmocka_unit_test(test_static_friction),
         cmocka_unit_test(test_refused),    cmocka_unit_test(test_epsd),
-        cmocka_unit_test(test_root),       cmocka_unit_test(test_absent),
-        cmocka_unit_test(test_rub)};
+        cmocka_unit_test(test_range),      cmocka_unit_test(test_root),
+        cmocka_unit_test(test_absent),     cmocka_unit_test(test_rub)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -114,8 +114,12 @@ double law_impact_of(const struct law_options *options, const struct law_coeffic
 double law_duration_of(const struct law_options *options, const struct law_coefficients *c,
                        const struct law_extra *extra, double mass, double radius, double overlap);
 
-/* The largest gap at which spheres of these radii interact, for any two materials; a wall has an infinite
- * radius. Without materials -INFINITY. Any thread. */
+/* The largest gap at which spheres of these materials and radii interact, 0 or more; a wall has an infinite radius. Any
+ * thread. */
+double law_range_of(const struct law *law, int a, int b, double radius_a, double radius_b);
+
+/* The same for any two materials, from all pairs of them: for a rebuild, not for each grain. Without materials -INFINITY.
+ * Any thread. */
 double law_range(const struct law *law, double radius_a, double radius_b);
 
 /* Makes the tables of coefficients from the entries of a <= b in `pair` (materials x materials, law_place_of). Fails (user)

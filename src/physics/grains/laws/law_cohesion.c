@@ -71,22 +71,19 @@ double law_cohesion_largest(enum law_cohesion cohesion, const struct law_surface
     return cohesion == LAW_COHESION_JKR ? 3.0 * scale : cohesion == LAW_COHESION_DMT ? 4.0 * scale : 0.0;
 }
 
-/* The range of a pair of materials. */
-static double law_pair_range(const struct law *law, int a, int b, double radius_a, double radius_b) {
-    const struct law_form *form = law_form_of(&law->options);
+double law_range_of(const struct law *law, int a, int b, double radius_a, double radius_b) {
     double effective = 1.0 / (1.0 / radius_a + 1.0 / radius_b);
     struct law_surfaces surfaces = {
         law_pair_of(law, a, b), law_extra_of(law, a, b), {radius_a, radius_b}, effective};
-    double range = form->range ? form->range(law_pair_of(law, a, b), radius_a, radius_b) : 0.0;
-    return fmax(range, law_cohesion_range(&law->options, &surfaces));
+    return law_cohesion_range(&law->options, &surfaces);
 }
 
 double law_range(const struct law *law, double radius_a, double radius_b) {
     double most = law->materials ? 0.0 : -INFINITY;
-    if (law->options.cohesion == LAW_COHESION_NONE && law_form_of(&law->options)->range == NULL)
+    if (law->options.cohesion == LAW_COHESION_NONE)
         return most;
     for (int a = 0; a < law->materials; a++)
         for (int b = 0; b <= a; b++)
-            most = fmax(most, law_pair_range(law, a, b, radius_a, radius_b));
+            most = fmax(most, law_range_of(law, a, b, radius_a, radius_b));
     return most;
 }
