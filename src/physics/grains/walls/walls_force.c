@@ -314,25 +314,6 @@ static void flush(struct wall_task *task) {
     b->walk.count = 0;
 }
 
-/* Finds the contacts of candidate k, which reaches as far as `radius`, with the wall of the pieces from `first`
- * on, in scratch; sets *last to the end of those pieces. */
-static size_t find_contacts(const struct walls *walls, size_t k, size_t first, size_t *last,
-                            struct law_vector x, double radius, struct wall_scratch *scratch) {
-    int w = walls->piece[first].wall;
-    *last = first + 1;
-    while (*last < walls->first[k + 1] && walls->piece[*last].wall == w)
-        ++*last;
-    size_t count = walls_touch(walls, walls->piece + first, *last - first, x, radius, scratch);
-    if (count > 1 && walls->wall[w].image_count > 1)
-        walls_sort_images(scratch->touch, count);
-    if (walls->law->history_components > 0 && count > 0)
-        walls_recall(walls, k, w, count, x, radius, scratch);
-    else
-        for (size_t c = 0; c < count; c++)
-            scratch->from[c] = -1;
-    return count;
-}
-
 /* How far from its centre the task's particle feels a wall. */
 static double reach_of(const struct wall_task *task, int w, double radius) {
     const struct law *law = task->context->law;
@@ -351,8 +332,8 @@ static void take_particle(struct wall_task *task) {
     bool fixed = walls->fixed_too && walls_at_rest(task->context->particles, task->particle);
     for (size_t first = walls->first[k]; first < walls->first[k + 1]; first = last) {
         int w = walls->piece[first].wall;
-        size_t count = find_contacts(walls, k, first, &last, wall_vector(state->x),
-                                     reach_of(task, w, state->radius), scratch);
+        size_t count = walls_find(walls, k, first, &last, wall_vector(state->x),
+                                  reach_of(task, w, state->radius), scratch);
         if (fixed && walls->wall[w].options.motions == 0)
             continue;
         for (size_t c = 0; c < count; c++) {
