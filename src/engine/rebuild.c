@@ -61,7 +61,7 @@ static void reorder(struct simulation *s, struct rebuild_rows *rows) {
     particles_reorder(s->particles, order);
     if (rows->pairs.start)
         history_rows_reorder(&rows->pairs, order, owned);
-    rowset_reorder(&rows->walls, order, owned);
+    rowset_reorder(&rows->obstacles, order, owned);
     for (int k = 0; k < PHYSICS_COUNT; k++)
         if (rows->carried[k])
             history_rows_reorder(rows->carried[k], order, owned);
@@ -89,8 +89,8 @@ static void attach(struct simulation *s, struct rebuild_rows *rows) {
         springs_restore(s, rows);
     else if (rows->pairs.start)
         history_attach(s->search.history, &rows->pairs, s->search.list, s->particles, images_apart(s));
-    if (rows->walls.start)
-        s->physics.obstacles->row->obstacles->attach(&s->physics.obstacles->context, &rows->walls);
+    if (rows->obstacles.start)
+        s->physics.obstacles->row->obstacles->attach(&s->physics.obstacles->context, &rows->obstacles);
     skin_reset(s->search.skin, s->particles);
 }
 
@@ -150,7 +150,7 @@ static void classify(struct simulation *s, struct rebuild_rows *rows) {
     particles_classify_from(s->particles, &s->classes, first);
 }
 
-static void walls_pass(struct simulation *s, struct rebuild_rows *rows) {
+static void obstacles_pass(struct simulation *s, struct rebuild_rows *rows) {
     (void)rows;
     s->physics.obstacles->row->obstacles->search(&s->physics.obstacles->context);
 }
@@ -256,7 +256,7 @@ static bool order_agrees(const struct simulation *s, const struct rebuild_rows *
     (void)rows;
     return order_needs_agreement(s);
 }
-static bool with_walls(const struct simulation *s, const struct rebuild_rows *rows) {
+static bool with_obstacles(const struct simulation *s, const struct rebuild_rows *rows) {
     (void)rows;
     return physics_meets(&s->physics);
 }
@@ -297,7 +297,7 @@ static const struct rebuild_pass passes[] = {
     {"index", NULL, "index", NULL, index_pass},
     {"pairs", NULL, "pairs", NULL, pairs_pass},
     {"used", "several ranks", "ghosts", many_ranks, used_pass},
-    {"walls", "walls", "wall", with_walls, walls_pass},
+    {"walls", "walls", "wall", with_obstacles, obstacles_pass},
     {"attach", NULL, "history", NULL, attach},
     {"physics", NULL, "pairs", NULL, tell_physics},
     {"plan", "several ranks, ring order", "pairs", order_agrees, plan_pass},

@@ -6,7 +6,7 @@
 void rebuild_detach_obstacles(struct simulation *s, struct rebuild_rows *rows) {
     const struct physics_active *obstacles = s->physics.obstacles;
     if (obstacles)
-        obstacles->row->obstacles->detach(&obstacles->context, &rows->walls);
+        obstacles->row->obstacles->detach(&obstacles->context, &rows->obstacles);
 }
 
 void rebuild_detach(struct simulation *s, bool both_ends, struct rebuild_rows *rows) {
@@ -51,7 +51,7 @@ static void loose_settle(struct simulation *s, struct rebuild_rows *rows) {
 
 void rebuild_migrate(struct simulation *s, struct rebuild_rows *rows) {
     struct migrate_rows set[2 + PHYSICS_COUNT];
-    int n = 0, pairs = -1, leave = -1, walls = -1, carried[PHYSICS_COUNT];
+    int n = 0, pairs = -1, leave = -1, obstacles = -1, carried[PHYSICS_COUNT];
     const size_t sent = s->search.history ? history_row_bytes(s->search.history->components) : 0;
     if (rows->pairs.start) {
         pairs = n;
@@ -63,10 +63,10 @@ void rebuild_migrate(struct simulation *s, struct rebuild_rows *rows) {
         set[n++] = (struct migrate_rows){NULL, rows->leave.row,    rows->leave.count, sizeof *rows->leave.row,
                                          sent, rows->leave.carrier};
     }
-    if (rows->walls.start) {
-        walls = n;
-        set[n++] = (struct migrate_rows){rows->walls.start, rows->walls.row,  rows->walls.count,
-                                         rows->walls.bytes, rows->walls.sent, NULL};
+    if (rows->obstacles.start) {
+        obstacles = n;
+        set[n++] = (struct migrate_rows){rows->obstacles.start, rows->obstacles.row,  rows->obstacles.count,
+                                         rows->obstacles.bytes, rows->obstacles.sent, NULL};
     }
     for (int k = 0; k < PHYSICS_COUNT; k++) {
         const struct history_rows *own = rows->carried[k];
@@ -84,12 +84,12 @@ void rebuild_migrate(struct simulation *s, struct rebuild_rows *rows) {
                 (struct history_rows){set[carried[k]].start, set[carried[k]].row, set[carried[k]].count};
     if (pairs >= 0)
         rows->pairs = (struct history_rows){set[pairs].start, set[pairs].row, set[pairs].count};
-    if (walls >= 0)
-        rows->walls = (struct rowset){.start = set[walls].start,
-                                      .row = set[walls].row,
-                                      .count = set[walls].count,
-                                      .bytes = set[walls].row_bytes,
-                                      .sent = set[walls].sent};
+    if (obstacles >= 0)
+        rows->obstacles = (struct rowset){.start = set[obstacles].start,
+                                          .row = set[obstacles].row,
+                                          .count = set[obstacles].count,
+                                          .bytes = set[obstacles].row_bytes,
+                                          .sent = set[obstacles].sent};
     if (leave >= 0) {
         rows->leave = (struct history_loose){set[leave].carrier, set[leave].row, set[leave].count};
         loose_settle(s, rows);
@@ -104,6 +104,6 @@ void rebuild_rows_free(struct rebuild_rows *rows) {
     memory_free(rows->near);
     memory_free(rows->place);
     memory_free(rows->order);
-    rowset_free(&rows->walls);
+    rowset_free(&rows->obstacles);
     *rows = (struct rebuild_rows){0};
 }

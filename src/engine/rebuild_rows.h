@@ -21,7 +21,7 @@ struct rebuild_rows {
     size_t near_count;
     uint32_t *order;          /* new particle k is old order[k]; NULL: all stay */
     struct history_kept kept; /* made between ghosts and search */
-    struct rowset walls;      /* of the obstacles */
+    struct rowset obstacles;  /* of contacts with these */
     /* Those of other physics, in the order of the table; NULL: none. The physics own them. */
     struct history_rows *carried[PHYSICS_COUNT];
     int components[PHYSICS_COUNT];

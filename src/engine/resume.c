@@ -125,7 +125,7 @@ bool resume_write(struct simulation *s, const struct output_run *run, const char
                                     .lineage = &s->lineage};
     PHYSICS_EACH (active, &s->physics, record)
         if (active->row->record->save)
-            active->row->record->save(&active->context, &rows.walls, &checkpoint);
+            active->row->record->save(&active->context, &rows.obstacles, &checkpoint);
     numbers_put(s, &checkpoint.numbers, &own);
     numbers_list(s, &own, &restart);
     bool good = checkpoint_write(s->comm, run->directory, suffix, &checkpoint,
@@ -174,7 +174,7 @@ static bool take(struct simulation *s, const char *path, struct checkpoint_loade
         loaded->history = (struct history_rows){0};
     }
     PHYSICS_EACH (active, &s->physics, record)
-        active->row->record->resume(&active->context, loaded, &rows->walls);
+        active->row->record->resume(&active->context, loaded, &rows->obstacles);
     return carried_take(s, path, loaded, error);
 }
 

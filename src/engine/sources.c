@@ -196,7 +196,7 @@ static size_t remove_run(struct simulation *s, struct rebuild_rows *rows) {
     if (marked > 0) {
         if (rows->pairs.start)
             history_rows_remove(&rows->pairs, remove, owned);
-        rowset_remove(&rows->walls, remove, owned);
+        rowset_remove(&rows->obstacles, remove, owned);
         for (int k = 0; k < PHYSICS_COUNT; k++)
             if (rows->carried[k])
                 history_rows_remove(rows->carried[k], remove, owned);
@@ -328,7 +328,7 @@ void sources_run(struct simulation *s, struct rebuild_rows *rows) {
         error_fatal("%zu particles on one rank, at most %zu are possible: use more ranks",
                     s->particles->owned, (size_t)1 << PARTICLE_INDEX_BITS);
     rows->pairs.start = rowset_extend(rows->pairs.start, before, s->particles->owned);
-    rows->walls.start = rowset_extend(rows->walls.start, before, s->particles->owned);
+    rows->obstacles.start = rowset_extend(rows->obstacles.start, before, s->particles->owned);
     for (int k = 0; k < PHYSICS_COUNT; k++)
         if (rows->carried[k])
             rows->carried[k]->start = rowset_extend(rows->carried[k]->start, before, s->particles->owned);
