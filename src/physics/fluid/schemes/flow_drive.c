@@ -88,6 +88,15 @@ struct drive flow_drive_begin(const struct fluid_options *options, const struct 
     return drive;
 }
 
+void flow_drive_restart(struct drive *drive, const struct fluid_options *options, struct restart *list) {
+    if (!has_flow(options) && !options->drive.table[0] && options->time != FLUID_STEADY)
+        return;
+    for (int d = 0; d < 3; d++)
+        restart_add(list, RESTART_REAL, true, &drive->force[d], "fluid: driving force %c", 'x' + d);
+    restart_add(list, RESTART_REAL, true, &drive->mean_before, "fluid: mean velocity before");
+    restart_add(list, RESTART_INTEGER, true, &drive->steps, "fluid: steps of the drive");
+}
+
 void flow_drive_free(struct drive *drive) {
     numbers_free(&drive->table);
 }
