@@ -185,6 +185,15 @@ pulsating() {
             NR == 3 && ($2 / first - 1.4) ^ 2 > 1e-20 || NR == 4 && ($2 / first - 2.2) ^ 2 > 1e-20 || NR == 11 && ($2 / first - 1.8) ^ 2 > 1e-20 { bad = 1 } END { exit bad || NR < 10 }' whole/observables.csv
 }
 check "a drive by a table, and a resume" pulsating
+# A resume with another force has that of the scene, unless the force was fitted to the flow
+pushed_more() {
+    local list='observables={every: 1, list: [{name: pressure_drop}, {name: flow_rate}]}'
+    rm -rf whole half
+    run_scene 1 channel.yaml whole --set threads=1 --set "$list" &&
+        run_scene 1 channel.yaml half --set threads=1 --set "$list" --set 'fluid.drive.body_force=[2, 0, 0]' --resume whole/checkpoint-6.h5 &&
+        awk -F , 'FNR > 1 && FNR == NR { drop[$1] = $2; flow[$1] = $5 } FNR > 1 && FNR < NR && ($2 != 2 * drop[$1] || $5 <= flow[$1]) { print "  " $0; bad = 1 } END { exit bad || FNR < 5 }' whole/observables.csv half/observables.csv
+}
+check "a resume with another force" pushed_more
 check "a table of a steady drive" scene_refused 'fluid.drive.table|steady' sphere.yaml --set "$pulse" --set fluid.time=steady --set fluid.equations=stokes
 check "a table of a given mass flow" scene_refused 'fluid.drive.table|body_force or pressure_drop' channel.yaml --set 'fluid.drive={mass_flow: 0.7, table: pulse.txt}'
 printf '0 1\n0 2\n' >still.txt
@@ -420,6 +429,12 @@ momentum() { # SETTING...: rows t, fluid's velocity, porosity, velocity of the g
             exit !($4 < -0.1 && P / F > 0.96 && P / F < 1.04) }'
 }
 check "a grain that falls in a fluid: with subcycles, momentum is kept" momentum --set step.dt=0.001 --set step.count=160 --set fluid.grains='{motion: free, every: 4}' --set output.checkpoint.every=80 --set output.dump.every=160 --set observables.every=160
+# before the first step of the fluid the added mass of a disc is all of the mass that it displaces
+added_mass() {
+    run_scene 1 falling.yaml added --overwrite --set threads=1 --set step.dt=0.001 --set step.count=3 --set fluid.grains='{motion: free, every: 4}' --set observables.every=1 --set output.checkpoint.every=3 --set output.dump.every=3 &&
+        awk -F , 'NR == 4 { pi = atan2(0, -1); m = 4 / 3 * pi * 0.008 * 7.5; f = pi * 0.04; v = -10 * (m - f) / (m + f) * $1; printf "  velocity %g of %g\n", $4, v; good = ($4 / v - 1) ^ 2 < 1e-12 } END { exit !good }' added/observables.csv
+}
+check "a grain that falls in a fluid: its added mass" added_mass
 check "a grain that falls in a fluid: momentum is kept" momentum
 check "a grain that falls in a fluid, on 3 ranks" carried falling 1e-7 3
 check "a grain that falls in a fluid, after a resume" carried falling 1e-7 1 --resume one/checkpoint-20.h5
