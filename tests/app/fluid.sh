@@ -173,6 +173,16 @@ driven() { # a flow of given mass goes on as if it had not stopped
         awk -F , 'NR == 1 { for (k = 1; k <= NF; k++) if ($k ~ /^flow_rate_x/) c = k } END { exit !($c > 0.695 && $c < 0.705) }' whole/observables.csv
 }
 check "a resume of a flow of given mass" driven
+# Points on given paths: after a fifth of a period their swing is sin(2 pi / 5) of the whole, but for the 1.6 % of two steps by the middle of each
+swings() {
+    rm -rf swing
+    run_scene 1 channel.yaml swing --set threads=1 --set 'fluid.motion={name: ale, swing: [0, 1e-4, 0], period: 0.2}' --set step.count=2 --set output.dump.every=2 --set 'output.dump.fields=[id, kind, position]' --set output.checkpoint.every=2 &&
+        awk '/^ITEM: TIMESTEP/ { frame++ } /^ITEM: ATOMS/ { for (k = 3; k <= NF; k++) at[$k] = k - 2; reading = 1; next } /^ITEM/ { reading = 0 }
+            reading && frame == 1 { x[$at["id"]] = $at["x"]; y[$at["id"]] = $at["y"] }
+            reading && frame == 2 && $at["kind"] == 1 { id = $at["id"]; pi = atan2(0, -1); shape = sin(4 * pi * x[id]) * sin(pi * y[id]); moved += shape * ($at["y"] - y[id]); square += shape * shape; n++ }
+            END { part = moved / square / 1e-4; printf "  %d points, %g of the swing\n", n, part; exit !(n > 100 && (part - sin(0.4 * pi) * 1.0166) ^ 2 < 1e-6) }' swing/dump.lammpstrj
+}
+check "points on given paths move by the middle of each step" swings
 # A drive that pulsates: a table of time and factor, which begins again; the same bits after a resume
 printf '%s\n' '# t factor' '0 1' '0.05 3' '0.1 -1' '0.15 1' >pulse.txt
 pulse='fluid.drive={body_force: [1, 0, 0], table: pulse.txt, repeat: true}'
@@ -551,12 +561,16 @@ check "a light disc rises" light
 # Discs that move by a fifth of a spacing between two steps of the fluid: rows keep pairs from beyond the support, whose grain is no neighbour
 check "grains that move between two steps of the fluid" run_scene 1 "$top_srcdir/examples/tumbling/scene.yaml" tumbling --set threads=1 --set step.count=230 --set output.dump=~
 # A sphere without torque between walls that slide, four of its diameters apart, turns at half of the rate of shear
-spin() {
-    run_scene 1 "$top_srcdir/examples/verify/fluid-settling/shear.yaml" spin --set threads=1 --set box.upper='[1, 1, 1]' --set box.dimension=3 --set box.periodic='[true, false, true]' \
-        --set particles.position='[0.5, 0.5, 0.5]' --set particles.radius=0.125 --set particles.density=1 --set 'materials[0].density=1' --set fluid.spacing=0.0625 \
-        --set step.count=40 --set observables.every=40 && within "$(last_of spin particle1_wz)" -0.5 0.01
+spin() { # DENSITY STEPS
+    run_scene 1 "$top_srcdir/examples/verify/fluid-settling/shear.yaml" spin --overwrite --set threads=1 --set box.upper='[1, 1, 1]' --set box.dimension=3 --set box.periodic='[true, false, true]' \
+        --set particles.position='[0.5, 0.5, 0.5]' --set particles.radius=0.125 --set particles.density="$1" --set 'materials[0].density=1' --set fluid.spacing=0.0625 \
+        --set step.count="$2" --set observables.every="$2"
 }
-check "a sphere in shear turns at half of its rate" spin
+spins_at_half() { spin 1 40 && within "$(last_of spin particle1_wz)" -0.5 0.01; }
+check "a sphere in shear turns at half of its rate" spins_at_half
+# a heavy one speeds up by 8 pi mu R^3 / (2 I) = 0.480 at most, less while the shear grows
+spins_up() { spin 1000 20 && within "$(last_of spin particle1_wz)" -0.028 0.0104; }
+check "a heavy sphere in shear begins to turn with it" spins_up
 check "free grains among particles at rest" scene_refused 'fluid.grains|lagrangian' falling.yaml --set fluid.motion=fixed
 
 # What a scene refuses at the start it refuses in a resume and in a later stage, too
