@@ -114,7 +114,8 @@ static void look_at_guards(const struct simulation *s, struct notes *notes) {
 
 /* Notes a density that is probably in g/cm3. */
 static void look_at_density(const struct scene *scene, double density, const char *key, struct notes *notes) {
-    if (scene->units != SCENE_UNITS_NONE && density >= 0.5 && density < 25)
+    bool volume = scene->box.density == BOX_DENSITY_VOLUME; /* of discs by area a few kg/m2 are usual */
+    if (volume && scene->units != SCENE_UNITS_NONE && density >= 0.5 && density < 25)
         notes_add(notes, false, "%s: %g kg/m3 is the density of a gas; of a solid? Then write %g g/cm3", key,
                   density, density);
 }

@@ -545,6 +545,6 @@ printf 'box: {density: area, lower: [0, 0, 0], upper: [1, 1, 1]}\ncontact: {law:
 check 'discs: not in three dimensions' refused_discs 'box.density: area needs box.dimension: 2' check balls.yaml
 check 'discs: the unit' refused_discs 'materials[0].density' check discs.yaml --set 'materials[a].density=5 kg/m3'
 check 'discs: what density means stays at a resume' refused_discs 'box.density must stay' run discs.yaml -o volume --resume discs/checkpoint-100.h5 --set box.density=volume --set 'materials[a].density=5' --set 'particles.sources[2].density=8' --set step.count=200
-echo_discs() { "$scree" check discs.yaml | grep -q 'density x pi r^2 (box.density: area)'; }
+echo_discs() { "$scree" check discs.yaml >told && holds told 'density x pi r^2 (box.density: area)' && lacks told 'density of a gas'; }
 check 'discs: check tells it' echo_discs
 finish

@@ -5,131 +5,18 @@
  * Explicit Euler steps: T(n+1) = T(n) + dt flow(n) / (m c). The flow is a sum over pairs like a force: it is
  * summed where forces are, sent back from copies with them, cleared when the temperature takes it. Where the contact radius
  * depends on what contacts remember, a pass after the forces adds what flows through contacts. */
-#include "physics/heat/heat.h"
-#include "physics/grains/laws/law_grip.h"
-#include "physics/grains/grains.h"
-#include "kernel/particles/material.h"
 #include "base/memory.h"
-#include "engine/physics.h"
-#include "base/numbers.h"
+#include "kernel/particles/groups.h"
+#include "kernel/particles/kinds.h"
+#include "kernel/particles/material.h"
+#include "physics/grains/grains.h"
+#include "physics/grains/laws/law_grip.h"
 #include "physics/heat/heat_fields.h"
 #include "physics/heat/heat_own.h"
+#include "physics/heat/heat_state.h"
 #include "physics/heat/heat_work.h"
-#include "kernel/particles/groups.h"
-#include "kernel/pairs/walk.h"
-#include "kernel/particles/kinds.h"
 #include <math.h>
 #include <string.h>
-
-struct heat {
-    const struct heat_options *options;
-    const struct physics_context *context;
-    struct walk *walk;
-    struct walk_work pairs;
-    struct walk *contact_walk; /* NULL: a contact radius follows from the overlap alone */
-    struct walk_work contacts;
-    double reach; /* of contacts beyond touch, at most, from walls */
-    double conductivity[LAW_MATERIALS_MAX], capacity[LAW_MATERIALS_MAX];
-    double narrow;                           /* contact radius over that of the scene's grains */
-    const struct heat_wall *wall[WALLS_MAX]; /* by wall; NULL: no heat */
-    struct numbers course[WALLS_MAX];        /* by wall: temperature over time; no rows: as the entry says */
-    int wall_material[WALLS_MAX];
-    double *temperature, *flow, *wall_flow; /* of the fields, since the last rebuild */
-    const uint8_t *material;
-    bool conductance;                /* sums of H instead of flows */
-    struct heat_work *work;          /* NULL: dissipation makes no heat */
-    double (*wall_power)[WALLS_MAX]; /* [thread][wall]: power into grains in the last step, W */
-    int64_t *strange; /* [thread]: 1 + id of a grain whose temperature has become not finite, 0: none */
-};
-
-/* The contact radius of two spheres, or of one and a wall (an infinite radius), `gap` apart (overlap: negative). */
-static double contact_radius(const struct heat *heat, const int material[2], const double radius[2],
-                             double effective, double gap, const double *record) {
-    const struct law *law = grains_contact(heat->context)->law;
-    struct law_surfaces surfaces = {law_pair_of(law, material[0], material[1]),
-                                    law_extra_of(law, material[0], material[1]),
-                                    {radius[0], radius[1]},
-                                    effective};
-    return law_grip_radius(law, &surfaces, -gap, record);
-}
-
-/* The power over one kelvin through a contact of radius a. */
-static double through_contact(const struct heat *heat, const int material[2], double a) {
-    double one = heat->conductivity[material[0]], other = heat->conductivity[material[1]];
-    return 4.0 * one * other / (one + other) * heat->narrow * a;
-}
-
-/* The power over one kelvin through gas. */
-static double through_gas(const struct heat *heat, double effective, double gap) {
-    const struct heat_gas *gas = &heat->options->gas;
-    if (!(gas->conductivity > 0.0 && gap < gas->distance))
-        return 0.0;
-    return 2.0 * M_PI * gas->conductivity * effective * log(gas->distance / fmax(gap, gas->roughness));
-}
-
-/* A near pair of the batch. */
-struct heat_pair {
-    int material[2];
-    double radius[2], effective, gap;
-};
-
-static struct heat_pair pair_of(const struct heat *heat, const struct walk_batch *batch, int k) {
-    const double *d = batch->record[k], r = batch->radius[0][k], other = batch->radius[1][k];
-    return (struct heat_pair){
-        .material = {material_of(heat->material, batch->i[k]), material_of(heat->material, batch->j[k])},
-        .radius = {r, other},
-        .effective = r * other / (r + other),
-        .gap = sqrt(d[0] * d[0] + d[1] * d[1] + d[2] * d[2]) - d[3]};
-}
-
-/* The heat of pair k of a batch that exchanges h over one kelvin. */
-static void flow_of(const struct heat *heat, struct walk_batch *batch, int k, double h) {
-    double over = heat->conductance ? 1.0 : heat->temperature[batch->j[k]] - heat->temperature[batch->i[k]];
-    batch->out[0][k] = h * over;
-    batch->out[1][k] = heat->conductance ? h : -h * over;
-}
-
-static void compute(const struct walk_task *task, struct walk_batch *batch) {
-    const struct heat *heat = task->work->context;
-    for (int k = 0; k < batch->padded; k++) {
-        struct heat_pair pair = pair_of(heat, batch, k);
-        double h = through_gas(heat, pair.effective, pair.gap);
-        if (heat->contact_walk == NULL && pair.gap < 0.0)
-            h += through_contact(
-                heat, pair.material,
-                contact_radius(heat, pair.material, pair.radius, pair.effective, pair.gap, NULL));
-        flow_of(heat, batch, k, h);
-    }
-}
-
-/* Contacts that remember their state. Gas between surfaces that touch across a gap, a neck, is as between others that
- * touch. */
-static void compute_contacts(const struct walk_task *task, struct walk_batch *batch) {
-    const struct heat *heat = task->work->context;
-    const struct force_context *contact = grains_contact(heat->context);
-    const struct history_part *part = history_part_of(contact->history, contact->list, task->pair_base);
-    for (int k = 0; k < batch->count; k++) {
-        struct heat_pair pair = pair_of(heat, batch, k);
-        const double *record = history_record(contact->history, part, batch->pair[k]);
-        double a = contact_radius(heat, pair.material, pair.radius, pair.effective, pair.gap, record);
-        double h = through_contact(heat, pair.material, a);
-        if (a > 0.0 && pair.gap > 0.0)
-            h += through_gas(heat, pair.effective, 0.0) - through_gas(heat, pair.effective, pair.gap);
-        flow_of(heat, batch, k, h);
-    }
-}
-
-static const struct walk_client contacts_client = {.name = "heat_contacts",
-                                                   .memory = sizeof(struct walk_batch),
-                                                   .scatter = WALK_VALUES,
-                                                   .values = 1,
-                                                   .compute = compute_contacts};
-
-static const struct walk_client client = {.name = "heat",
-                                          .memory = sizeof(struct walk_batch),
-                                          .scatter = WALK_VALUES,
-                                          .values = 1,
-                                          .compute = compute};
 
 static double range(const void *context, int kind_a, double radius_a, int kind_b, double radius_b) {
     const struct heat_options *options = context;
@@ -137,33 +24,6 @@ static double range(const void *context, int kind_a, double radius_a, int kind_b
     if (kind_a != KIND_GRAIN || kind_b != KIND_GRAIN)
         return -INFINITY;
     return options->gas.conductivity > 0.0 ? options->gas.distance : 0.0;
-}
-
-/* Reads the temperature of a wall over time. */
-static bool course_read(struct numbers *course, const char *path, struct error *error) {
-    bool good = numbers_read(course, path, 2, error) && numbers_check_times(course, path, "t T", error);
-    for (size_t row = 0; good && row < course->rows; row++)
-        good = course->value[2 * row + 1] >= 0 ||
-               error_set(error, ERROR_USER, "%s:%u: the temperature %g is below 0 K", path, course->line[row],
-                         course->value[2 * row + 1]);
-    return good;
-}
-
-static bool check_wall(const struct physics_context *context, int k, struct error *error) {
-    const struct heat_options *o = context->options;
-    const struct heat_wall *wall = &o->wall[k];
-    char key[64];
-    snprintf(key, sizeof key, "heat.walls[%d]", k);
-    if (!isnan(wall->temperature) + !isnan(wall->flux) + (wall->table[0] != '\0') != 1)
-        return scene_fail(context->scene, error, key, "needs one of temperature, flux and table");
-    for (int before = 0; before < k; before++)
-        if (o->wall[before].wall == wall->wall)
-            return scene_fail(context->scene, error, key, "a second entry for wall '%s'",
-                              context->scene->wall[wall->wall].name);
-    struct numbers course = {0};
-    bool good = wall->table[0] == '\0' || course_read(&course, wall->table, error);
-    numbers_free(&course);
-    return good;
 }
 
 /* Refuses sections that leave a number open. */
@@ -188,15 +48,11 @@ static bool check(const struct physics_context *context, struct error *error) {
                 "material '%s' is missing (an entry without `material` serves all that are not named)",
                 scene->material[m].name);
     for (int k = 0; k < o->walls; k++)
-        if (!check_wall(context, k, error))
+        if (!heat_walls_suit(context, k, error))
             return false;
     if (o->gas.conductivity > 0 && !(o->gas.roughness < o->gas.distance))
         return scene_fail(scene, error, "heat.gas", "needs a roughness and a distance above the roughness");
     return true;
-}
-
-static bool needs_walls(const struct physics_context *context) {
-    return grains_walls(context) && ((const struct heat_options *)context->options)->walls > 0;
 }
 
 static void *create(const struct physics_context *context) {
@@ -211,20 +67,13 @@ static void *create(const struct physics_context *context) {
                     heat->conductivity[m] = o->material[k].conductivity;
                     heat->capacity[m] = o->material[k].capacity;
                 }
-    for (int k = 0; k < o->walls; k++) {
-        struct error none = {0};
-        heat->wall[o->wall[k].wall] = &o->wall[k];
-        if (o->wall[k].table[0] && !course_read(&heat->course[o->wall[k].wall], o->wall[k].table, &none))
-            error_fatal("%s", none.text); /* a file that has changed since the check */
-    }
-    for (int w = 0; w < context->scene->walls; w++)
-        heat->wall_material[w] = context->scene->wall[w].material;
-    if (needs_walls(context))
+    heat_walls_read(heat);
+    if (heat_walls_needed(context))
         walls_visit_fixed(grains_walls(context));
     heat->wall_power = memory_allocate_zero((size_t)context->threads, sizeof *heat->wall_power, "heat");
     heat->strange = memory_allocate_zero((size_t)context->threads, sizeof *heat->strange, "heat");
     heat->work = o->dissipation > 0.0 ? heat_work_create(context) : NULL;
-    heat->walk = walk_create(&client, context->threads);
+    heat->walk = walk_create(&heat_pairs_client, context->threads);
     heat->pairs = (struct walk_work){.context = heat,
                                      .particles = context->particles,
                                      .stride = 1,
@@ -232,7 +81,7 @@ static void *create(const struct physics_context *context) {
                                      .range = range(o, KIND_GRAIN, 0, KIND_GRAIN, 0),
                                      .ordered = context->ordered};
     if (law_grip_radius_recalls(grains_contact(context)->law)) {
-        heat->contact_walk = walk_create(&contacts_client, context->threads);
+        heat->contact_walk = walk_create(&heat_contacts_client, context->threads);
         heat->contacts = heat->pairs;
     }
     return heat;
@@ -243,8 +92,7 @@ static void destroy(void *self) {
     walk_destroy(&heat->walk);
     walk_destroy(&heat->contact_walk);
     heat_work_destroy(&heat->work);
-    for (int w = 0; w < WALLS_MAX; w++)
-        numbers_free(&heat->course[w]);
+    heat_walls_free(heat);
     memory_free(heat->strange);
     memory_free(heat->wall_power);
     memory_free(heat);
@@ -332,57 +180,6 @@ static void abandon(const struct physics_context *context) {
     memset(heat->flow, 0, (context->particles->owned + context->particles->ghosts) * sizeof *heat->flow);
 }
 
-/* A thread on its way through the grains near walls. */
-struct at_walls {
-    struct heat *heat;
-    double *power;       /* by wall */
-    double *temperature; /* by wall, now; NAN: a flux */
-};
-
-/* The temperature of a wall at the time of the step in progress. */
-static double temperature_now(const struct heat *heat, int wall) {
-    double value = heat->wall[wall] ? heat->wall[wall]->temperature : NAN;
-    if (heat->course[wall].rows > 0)
-        numbers_at(&heat->course[wall], heat->context->clock->time, &value);
-    return value;
-}
-
-/* A grain that touches a wall, or is near one: called by the one thread that has the grain. */
-static void at_wall(void *self, const struct wall_place *place) {
-    const struct at_walls *at = self;
-    size_t i = place->particle;
-    int wall = place->wall;
-    double gap = place->gap;
-    const double *record = place->record;
-    struct heat *heat = at->heat;
-    const struct heat_wall *given = heat->wall[wall];
-    double radius = heat->context->particles->state[i].radius, flow = 0.0;
-    if (given == NULL)
-        return;
-    const int material[2] = {material_of(heat->material, i), heat->wall_material[wall]};
-    double a = contact_radius(heat, material, (double[2]){radius, INFINITY}, radius, gap, record);
-    if (!isnan(at->temperature[wall])) {
-        flow = through_contact(heat, material, a) + through_gas(heat, radius, a > 0.0 ? fmin(gap, 0.0) : gap);
-        flow *= heat->conductance ? 1.0 : at->temperature[wall] - heat->temperature[i];
-    } else if (a > 0.0 && !heat->conductance) {
-        flow = given->flux * M_PI * radius * radius;
-    }
-    heat->flow[i] += flow;
-    heat->wall_flow[i] += flow;
-    at->power[wall] += flow;
-}
-
-static void at_walls(const struct physics_context *context, int thread) {
-    struct heat *heat = context->self;
-    double temperature[WALLS_MAX];
-    struct at_walls at = {heat, heat->wall_power[thread], temperature};
-    for (int w = 0; w < context->scene->walls; w++)
-        temperature[w] = temperature_now(heat, w);
-    memset(at.power, 0, sizeof heat->wall_power[thread]);
-    walls_visit(grains_walls(context), context->particles, thread, fmax(heat->pairs.range, heat->reach),
-                at_wall, &at);
-}
-
 static void finish(const struct physics_context *context) {
     struct heat *heat = context->self;
     walk_finish(heat->walk, &heat->pairs);
@@ -406,13 +203,6 @@ static void dissipate(const struct physics_context *context) {
     heat_work_finish(heat->work);
 }
 
-double heat_wall_power(const struct heat *heat, int wall) {
-    double power = 0.0;
-    for (int t = 0; t < heat->context->threads; t++)
-        power += heat->wall_power[t][wall];
-    return power;
-}
-
 double heat_energy(const struct heat *heat, size_t i) {
     const struct particles *p = heat->context->particles;
     double energy = heat->capacity[material_of(heat->material, i)] * groups_mass(p, i) * heat->temperature[i];
@@ -427,8 +217,8 @@ static void conductances(const struct physics_context *context, struct heat *hea
     walk_run(heat->walk, &heat->pairs);
     if (heat->contact_walk)
         walk_run(heat->contact_walk, &heat->contacts);
-    for (int t = 0; needs_walls(context) && t < context->threads; t++)
-        at_walls(context, t);
+    for (int t = 0; heat_walls_needed(context) && t < context->threads; t++)
+        heat_walls_share(context, t);
     heat->conductance = false;
     if (context->ghosts)
         ghosts_reverse(context->ghosts, context->particles, &fields);
@@ -482,8 +272,8 @@ static const struct physics_pass passes[] = {
      .timer = "conduct",
      .reads = "position radius temperature",
      .writes = "heat_flow",
-     .needed = needs_walls,
-     .share = at_walls},
+     .needed = heat_walls_needed,
+     .share = heat_walls_share},
     {.name = "heat_finish", .stage = PASS_CLOSE, .timer = "conduct", .writes = "heat_flow", .whole = finish},
     {.name = "heat_contacts",
      .why = "contacts whose radius depends on what they remember",
