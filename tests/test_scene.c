@@ -349,6 +349,13 @@ static void box_from_data_file(void **state) {
     assert_true(particles->state[0].v[2] == 3 && spin_of(particles)[0][0] == 4);
     particles_destroy(&particles);
     scene_free(&scene);
+    static const struct scene_setting no_file[] = {{"particles=~"}, {"particles.sources=[]"}};
+    for (int k = 0; k < 2; k++) {
+        error = (struct error){0};
+        assert_null(scene_parse("test_scene.yaml", text, &no_file[k], 1, &error));
+        assert_int_equal(error.kind, ERROR_USER);
+        assert_non_null(strstr(error.text, "box.lower: is missing; needed: three numbers"));
+    }
     static const struct scene_setting one_corner[] = {{"box.lower=[-9, -9, -9]"}, {"box.upper=[9, 9, 9]"}};
     for (int k = 0; k < 2; k++) {
         error = (struct error){0};

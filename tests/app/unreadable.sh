@@ -74,6 +74,7 @@ has_open() { ls -l "/proc/$1/fd" | grep -q '/trajectory.h5$'; }
 opened_by_others() {
     local rank ranks status
     again 2
+    rm -f failed # of the check before: `with` removes it, too, but maybe after the wait has begun
     with 2 open trajectory.h5 2 24 1 "$scree" run scene.yaml -o again --quiet --resume last &
     wait_for failed || return 1
     ranks=$(ranks_of $!)

@@ -39,9 +39,8 @@ static bool unit_vector(const struct scene *scene, double v[3], struct error *er
 
 /* The box of the first source's file; the periodic directions of the scene stay. */
 static bool box_from_file(struct scene *scene, struct error *error) {
-    const struct source_options *source = &scene->source[0];
-    bool file = scene->sources > 0 && source->kind == SOURCE_FILE && source->format != SOURCE_TABLE;
-    if (!file)
+    const struct source_options *source = scene->source;
+    if (scene->sources == 0 || source->kind != SOURCE_FILE || source->format == SOURCE_TABLE)
         return scene_fail(scene, error, "box.lower", "is missing; needed: three numbers [x, y, z], in m");
     if (!scene_files_open(scene, error))
         return false;
