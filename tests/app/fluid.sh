@@ -353,9 +353,13 @@ wheel() { # RANKS THREADS FLAG...
 check "a steady flow around a grain that spins" wheel 1 1
 check "on two ranks" wheel 2 2
 check "a flow in time around it" wheel 1 1 --set fluid='{spacing: 0.03125, density: 1, viscosity: 1}' --set step='{dt: 0.005, count: 60}' --set observables.every=60
-check "a grain that spins and moves is no steady flow" scene_refused 'particles.sources[0].group|only spin' wheel.yaml --set 'groups[0].velocity=[0.1, 0, 0]'
+check "a grain that spins and moves is no steady flow" scene_refused 'groups[0].velocity|only spin' wheel.yaml --set 'groups[0].velocity=[0.1, 0, 0]'
+sed 's/, group: wheel}/}/; s/name: wheel, /&select: {ids: [1]}, /' wheel.yaml >selected.yaml
+check "nor one that a selection puts into the group" scene_refused 'groups[0].velocity|only spin' selected.yaml --set 'groups[0].velocity=[0.1, 0, 0]'
 sed '/^contact/d; /^material/d; s/radius: 0.2/&, density: 1/' wheel.yaml >smooth.yaml
 check "a spin without friction" scene_refused "group 'wheel' has a spin|friction" smooth.yaml
+sed '/^contact/d; /^material/d; s/radius: 0.2/&, density: 1/' selected.yaml >smooth.yaml
+check "a spin without friction, of a group that selects" scene_refused "group 'wheel' has a spin|friction" smooth.yaml
 
 # A frozen bed with contacts, gravity and walls: the flow and its drag are the same on other ranks
 cat >bed.yaml <<'YAML'
