@@ -319,8 +319,9 @@ fluid: {spacing: 0.0416666666666667, density: 1, viscosity: 0.1}
 step: {dt: 0.04, count: 120}
 output: {dump: {every: 120, fields: [position, velocity]}}
 YAML
-rotation() {
-    run_scene 1 drum.yaml drum --set threads=1 && awk '
+rotation() { # SETTING...
+    rm -rf drum
+    run_scene 1 drum.yaml drum --set threads=1 "$@" && awk '
         /^ITEM: TIMESTEP/ { gap = size = n = 0; next }
         /^ITEM: ATOMS/ { for (k = 3; k <= NF; k++) at[$k] = k - 2; reading = 1; next }
         /^ITEM/ { reading = 0 }
@@ -329,6 +330,7 @@ rotation() {
         END { e = sqrt(gap / size); printf "  %d particles, relative error %.3g\n", n, e; exit !(n > 300 && e < 1e-3) }' drum/dump.lammpstrj
 }
 check "a turning cylinder takes the fluid with it" rotation
+check "so does a cylinder whose surface alone turns" rotation --set 'walls[0].motion[0].surface=true'
 
 # Grains that only spin stay where they are: a steady flow around them, and one in time on particles at rest; torque on a disc in an array of them,
 # 4 pi mu omega R^2 / porosity, on one rank and on two
