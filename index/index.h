@@ -42,7 +42,7 @@
  *   destroy      once                                its own state                one
  *
  * How to add an index, in six steps:
- *   1. Copy index/methods/brute.c to index/NAME.c: it is the oracle of every test and the shortest example. An index
+ *   1. Copy index/methods/brute.c to index/methods/NAME.c: it is the oracle of every test and the shortest example. An index
  *      on grids is a plan for the body that they share: index/methods/linkcell.c.
  *   2. Put your state into a struct whose first member is `struct index base`; the build makes it, from all
  *      particles, copies included.

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* Cuts the classes of particles into the levels that `auto` compares: equal gaps, groups of classes. Read
- * choose/auto.h first. */
+ * auto_choose.h first. */
 #include "index/choose/auto_choose.h"
 
 #include <math.h>

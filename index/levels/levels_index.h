@@ -25,6 +25,12 @@ void levels_index_describe(const struct index *self, struct index_description *d
 size_t levels_index_memory(const struct index *self);
 void levels_index_release(struct index *self);
 
+/* All of them, in the initialiser of the table; name, summary and `create` are the index's own. */
+#define LEVELS_INDEX_OPERATIONS                                                                              \
+    .destroy = levels_index_destroy, .stays = levels_index_stays, .order = levels_index_order,               \
+    .build = levels_index_build, .visit = levels_index_visit, .check = levels_index_check,                   \
+    .describe = levels_index_describe, .memory = levels_index_memory, .release = levels_index_release
+
 /* The user's cell factor, or the default. */
 double levels_index_factor(const struct index_params *params, double fallback);
 

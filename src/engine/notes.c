@@ -48,11 +48,23 @@ double notes_moved(const struct simulation *s, const struct notes *notes) {
                : 0;
 }
 
+/* The place of a new note; -1: none is free. */
+static int next_place(struct notes *notes, bool warning) {
+    int place = NOTES_MAX - 1;
+    if (notes->count < NOTES_MAX)
+        return notes->count++;
+    notes->left_out++;
+    while (place >= 0 && (!warning || notes->note[place].warning))
+        place--;
+    return place;
+}
+
 void notes_add(struct notes *notes, bool warning, const char *format, ...) {
     va_list list;
-    if (notes->count == NOTES_MAX)
+    int place = next_place(notes, warning);
+    if (place < 0)
         return;
-    struct note *note = &notes->note[notes->count++];
+    struct note *note = &notes->note[place];
     note->warning = warning;
     va_start(list, format);
     vsnprintf(note->text, sizeof note->text, format, list);
@@ -179,4 +191,6 @@ void notes_seen(const struct simulation *s, uint64_t first, struct notes *notes)
 void notes_print(const struct notes *notes, const char *before, FILE *file) {
     for (int k = 0; k < notes->count; k++)
         fprintf(file, "%s%s: %s\n", before, notes->note[k].warning ? "warning" : "NOTE", notes->note[k].text);
+    if (notes->left_out > 0)
+        fprintf(file, "%sNOTE: %d more are left out\n", before, notes->left_out);
 }

@@ -31,11 +31,11 @@ struct notes {
     int64_t outside;                         /* centres beyond an open side of the box */
     double speed_expected, overlap_expected; /* by who moves the grains; 0: not known */
     char stops[64]; /* guards that would end the run at the expected speed; "": none */
-    int count;
+    int count, left_out;
     struct note note[NOTES_MAX];
 };
 
-/* Adds a note; of more than NOTES_MAX the last ones are left out. */
+/* Adds a note. Of more than NOTES_MAX the last ones are left out; a warning takes the place of a note that is none. */
 void notes_add(struct notes *notes, bool warning, const char *format, ...)
     __attribute__((format(printf, 3, 4)));
 

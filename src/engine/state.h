@@ -51,6 +51,7 @@ struct tuning {
 struct timing {
     double stable;   /* for the contacts that there are, and those that may come */
     double expected; /* for contacts that may come alone */
+    char why[256];   /* what sets `stable`, if that is finite, for the brackets behind the number */
 };
 
 /* Edges and shear of the box that follow the stress (deform.c). */

@@ -22,32 +22,40 @@ static void dt_set(struct simulation *s, double dt) {
     physics_prepare(&s->physics);
 }
 
-static bool dt_allowed(const struct simulation *s, struct error *error) {
-    char place[SCENE_PATH_MAX], why[256];
-    if (s->clock.dt <= s->timing.stable || s->scene->step.force)
-        return true;
+/* Writes what sets the stable time step. Collective. */
+static void why_find(struct simulation *s) {
     const struct physics_mover *mover = s->physics.mover->row->mover;
     const char *other = physics_limit_why(&s->physics, s->timing.stable);
+    char *why = s->timing.why;
+    size_t room = sizeof s->timing.why;
     if (other)
-        snprintf(why, sizeof why, "%s", other);
+        snprintf(why, room, "%s", other);
     else if (s->timing.stable < s->timing.expected)
-        snprintf(why, sizeof why, "of the contacts that there are at the start");
+        snprintf(why, room, "of the contacts that there are at the start");
+    else if (mover->why)
+        mover->why(&s->physics.mover->context, why, room);
     else
-        snprintf(why, sizeof why, "of the motion of grains");
-    if (!other && s->timing.stable >= s->timing.expected && mover->why)
-        mover->why(&s->physics.mover->context, why, sizeof why);
+        snprintf(why, room, "of the motion of grains");
+}
+
+static bool dt_allowed(struct simulation *s, struct error *error) {
+    char place[SCENE_PATH_MAX];
+    if (isfinite(s->timing.stable))
+        why_find(s);
+    if (s->clock.dt <= s->timing.stable || s->scene->step.force)
+        return true;
     if (s->scene->step.fraction > 1)
         return error_set(
             error, ERROR_USER,
             "%s: step.fraction: %g of the stable time step, %.6g (%s), is more than all of it; allowed: "
             "up to 1, or step.force: true",
             scene_place(s->scene, "step.fraction", place, sizeof place), s->scene->step.fraction,
-            s->timing.stable, why);
+            s->timing.stable, s->timing.why);
     return error_set(error, ERROR_USER,
                      "%s: step.dt: the time step %.6g is above the stable one, %.6g (%s); allowed: up to "
                      "that, or step.force: true",
                      scene_place(s->scene, "step.dt", place, sizeof place), s->clock.dt, s->timing.stable,
-                     why);
+                     s->timing.why);
 }
 
 bool timing_choose(struct simulation *s, struct error *error) {

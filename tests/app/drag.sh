@@ -173,6 +173,12 @@ refused() { # TEXT SETTING...
     ! "$scree" check --all bed.yaml "$@" >told 2>&1 && grep -qF -- "$text" told || { cat told; return 1; }
 }
 check 'a step above the limit' refused 'drag: mass of a grain over its drag' --set drag.fluid.viscosity=20
+told() { # RANKS: check names what sets the stable step, and all ranks find it together
+    on "$1" "$scree" check bed.yaml --set drag.fluid.viscosity=20 --set step='{count: 4}' >said 2>&1 &&
+        grep -qF '(drag: mass of a grain over its drag per speed)' said || { cat said; return 1; }
+}
+check 'check names drag where that sets the step' told 1
+check 'check names drag where that sets the step, on 2 ranks' told 2
 check 'a porosity without support' refused 'drag.porosity.support: is missing' --set 'drag.porosity.support=~'
 check 'a porosity that the law has not' refused 'drag.porosity' --set drag.law=stokes
 check 'an unknown law' refused "drag.law" --set drag.law=felice

@@ -65,6 +65,14 @@ check '100 materials meet in pairs' meets 1
 check 'the same with a law with parts' meets 1 --set contact.tangential=viscous --set 'material_pairs[0].friction=0'
 check 'the same on 3 ranks, reproducible' meets 3 --set reproducible=true
 
+# Notes of all materials leave room for a warning
+warned() {
+    sed 's/density: [0-9.]*}/density: 2}/; s/^units: none/gravity: [0, 0, 0]/' many.yaml >gas.yaml
+    "$scree" check gas.yaml --set step.dt=1 --set step.force=true >told 2>&1
+    grep -q '^warning: the time step is .* of the stable one' told && grep -qE '^NOTE: [0-9]+ more are left out$' told && [ "$(grep -c '^NOTE' told)" -le 200 ] || { tail -n 5 told; return 1; }
+}
+check 'a warning after very many notes' warned
+
 scene 255 >over.yaml
 bound() { ! "$scree" check over.yaml >told 2>&1 && grep -qF 'materials: 256 entries; at most 255 are possible' told && [ "$(wc -l <told)" = 1 ] || { cat told; return 1; }; }
 check 'one material too many: one message' bound

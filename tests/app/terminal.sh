@@ -102,6 +102,7 @@ costs() { # COUNT WORDS FLAG...: check prints so many such lines
 }
 check 'steps, time and files' costs 6 '^  steps +100 of 0.001$|^    trajectory.h5 +11 frames, about [0-9.]+ kB$|^    dump.lammpstrj +3 frames|^    observables.csv +1 row$|^  time +about [0-9.e-]+ s, by the 100 first steps|^    checkpoint-STEP.h5 +1 file' \
     --set step.count=100 --set output.trajectory.every=10 --set output.trajectory.xdmf=off --set output.dump.every=50
+check 'lists of contacts, and grids' costs 2 '^    contacts in trajectory.h5 +11 lists$|^    grid-all.csv +24 rows$' --set step.count=100 --set output.trajectory.contacts=10 --set 'observables.grids=[{name: all, every: 50, cells: [2, 2, 2]}]'
 check 'nothing is written' costs 1 '^    nothing else will be written' --set 'observables=~' --set step.count=1
 check 'no end' costs 1 '^  steps +without end' --set duration=1e300
 sized() { # the size that check tells is that of the file, within a tenth

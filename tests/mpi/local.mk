@@ -7,6 +7,7 @@ check_PROGRAMS += \
 	tests/mpi/test_domain \
 	tests/mpi/test_exchange \
 	tests/mpi/test_ghosts \
+	tests/mpi/test_ghosts_sums \
 	tests/mpi/test_groups \
 	tests/mpi/test_migrate \
 	tests/mpi/test_shadows \
@@ -30,6 +31,9 @@ tests_mpi_test_exchange_LDADD = $(MPI_TEST_LIBS)
 tests_mpi_test_ghosts_SOURCES = tests/mpi/test_ghosts.c tests/mpi/team.c tests/mpi/team.h tests/mpi/cloud.c tests/mpi/cloud.h tests/mpi/fixture.c tests/mpi/fixture.h
 tests_mpi_test_ghosts_CPPFLAGS = $(MPI_TEST_FLAGS)
 tests_mpi_test_ghosts_LDADD = $(MPI_TEST_LIBS)
+tests_mpi_test_ghosts_sums_SOURCES = tests/mpi/test_ghosts_sums.c tests/mpi/team.c tests/mpi/team.h tests/mpi/cloud.c tests/mpi/cloud.h tests/mpi/fixture.c tests/mpi/fixture.h
+tests_mpi_test_ghosts_sums_CPPFLAGS = $(MPI_TEST_FLAGS)
+tests_mpi_test_ghosts_sums_LDADD = $(MPI_TEST_LIBS)
 tests_mpi_test_groups_SOURCES = tests/mpi/test_groups.c
 tests_mpi_test_groups_CPPFLAGS = $(MPI_TEST_FLAGS)
 tests_mpi_test_groups_LDADD = $(MPI_TEST_LIBS)

@@ -7,13 +7,14 @@ libobserve_la_SOURCES = \
 	src/data/observe/describe.h \
 	src/data/observe/expression.c \
 	src/data/observe/expression.h \
-	src/data/observe/observables_grid.c \
-	src/data/observe/observables_grid.h \
 	src/data/observe/observables.c \
 	src/data/observe/observables.h \
 	src/data/observe/observables_bulk.c \
 	src/data/observe/observables_expression.c \
 	src/data/observe/observables_flow.c \
+	src/data/observe/observables_grid.c \
+	src/data/observe/observables_grid.h \
+	src/data/observe/observables_kinds.c \
 	src/data/observe/observables_kinds.h \
 	src/data/observe/observables_row.c \
 	src/data/observe/observables_single.c \

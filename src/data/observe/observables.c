@@ -6,54 +6,10 @@
 #include "base/memory.h"
 #include "data/observe/crossing.h"
 #include "data/observe/observables_kinds.h"
-#include "physics_table.h"
 
 #include <inttypes.h>
 #include <math.h>
 #include <string.h>
-
-#define OBSERVABLES_OF(name, key, whose, summary) &name##_observables,
-static const struct observable_table *const of_physics[] = {PHYSICS_TABLE(OBSERVABLES_OF)};
-#undef OBSERVABLES_OF
-
-/* The files that define rows, in the order of docs/output.md. */
-static const struct {
-    int (*count)(void);
-    const struct observable_kind *(*row)(int k);
-} files[] = {{observables_bulk_count, observables_bulk},
-             {observables_state_count, observables_state},
-             {observables_flow_count, observables_flow},
-             {observables_single_count, observables_single},
-             {observables_expression_count, observables_expression}};
-
-int observables_kinds_count(void) {
-    int count = 0;
-    for (size_t f = 0; f < sizeof files / sizeof files[0]; f++)
-        count += files[f].count();
-    for (int p = 0; p < PHYSICS_COUNT; p++)
-        count += of_physics[p]->count;
-    return count;
-}
-
-const struct observable_kind *observables_kind(int k) {
-    int p = 0;
-    for (size_t f = 0; f < sizeof files / sizeof files[0]; f++) {
-        if (k < files[f].count())
-            return files[f].row(k);
-        k -= files[f].count();
-    }
-    for (; k >= of_physics[p]->count; p++)
-        k -= of_physics[p]->count;
-    return &of_physics[p]->rows[k];
-}
-
-int observables_count(void) {
-    return observables_kinds_count();
-}
-
-const struct observable_info *observables_get(int k) {
-    return &observables_kind(k)->info;
-}
 
 /* Adds a comma and a name to a list of allowed names. */
 static void list_name(char *list, size_t size, const char *name) {
@@ -129,6 +85,18 @@ struct resolving {
     const struct output_run *run;
 };
 
+/* Refuses a target that names nothing, and a label that would name several; `known`: what a target may name. */
+static bool check_found(const struct observable_request *request, int found, const char *what,
+                        const char *target, const char *known, struct error *error) {
+    if (found == 0)
+        return error_set(error, ERROR_USER, "observables: %s: there is no %s \"%s\"; there are: %s",
+                         request->name, what, target, known[0] ? known : "none");
+    return found == 1 || !request->label[0] ||
+           error_set(error, ERROR_USER,
+                     "observables: %s: the label \"%s\" would name each of %s; give a target", request->name,
+                     request->label, known);
+}
+
 static bool add_walls(struct resolving *r, const struct observable_request *request,
                       struct observable_item item, struct error *error) {
     char known[512] = "";
@@ -142,14 +110,8 @@ static bool add_walls(struct resolving *r, const struct observable_request *requ
         add_item(r->o, item, request->label[0] ? request->label : name);
         found++;
     }
-    if (found == 0 && request->target[0])
-        return error_set(error, ERROR_USER, "observables: %s: there is no wall \"%s\"; there are: %s",
-                         request->name, request->target, known[0] ? known : "none");
-    if (found > 1 && request->label[0])
-        return error_set(error, ERROR_USER,
-                         "observables: %s: the label \"%s\" would name several walls; give a target",
-                         request->name, request->label);
-    return true;
+    return (found == 0 && !request->target[0]) ||
+           check_found(request, found, "wall", request->target, known, error);
 }
 
 /* Adds the item of a body, if the request is for it; lists its name. */
@@ -173,15 +135,8 @@ static bool add_bodies(struct resolving *r, const struct observable_request *req
         found += add_body(r, request, item, walls_options(r->view->walls, item.wall)->name, known);
     for (item.wall = -1, item.group = 1; item.group < r->run->groups; item.group++)
         found += add_body(r, request, item, r->run->group[item.group], known);
-    if (found == 0 && request->target[0])
-        return error_set(error, ERROR_USER,
-                         "observables: %s: there is no wall and no group \"%s\"; there are: %s",
-                         request->name, request->target, known[0] ? known : "none");
-    if (found > 1 && request->label[0])
-        return error_set(error, ERROR_USER,
-                         "observables: %s: the label \"%s\" would name several bodies; give a target",
-                         request->name, request->label);
-    return true;
+    return (found == 0 && !request->target[0]) ||
+           check_found(request, found, "wall or group", request->target, known, error);
 }
 
 static bool find_material(const struct resolving *r, const char *name, int *material, struct error *error) {
@@ -222,14 +177,7 @@ static bool add_regions(struct resolving *r, const struct observable_request *re
         add_item(r->o, item, request->label[0] ? request->label : stem);
         found++;
     }
-    if (found == 0)
-        return error_set(error, ERROR_USER, "observables: %s: there is no region \"%s\"; there are: %s",
-                         request->name, region, known[0] ? known : "none");
-    if (found > 1 && request->label[0])
-        return error_set(error, ERROR_USER,
-                         "observables: %s: the label \"%s\" would name several regions; give a target",
-                         request->name, request->label);
-    return true;
+    return check_found(request, found, "region", region, known, error);
 }
 
 static bool add_planes(struct resolving *r, const struct observable_request *request,
@@ -248,13 +196,7 @@ static bool add_planes(struct resolving *r, const struct observable_request *req
         add_item(r->o, item, request->label[0] ? request->label : stem);
         found++;
     }
-    if (found == 0)
-        return error_set(error, ERROR_USER, "observables: %s: there is no plane \"%s\"; there are: %s",
-                         request->name, request->target, known[0] ? known : "none");
-    return found == 1 || !request->label[0] ||
-           error_set(error, ERROR_USER,
-                     "observables: %s: the label \"%s\" would name several planes; give a target",
-                     request->name, request->label);
+    return check_found(request, found, "plane", request->target, known, error);
 }
 
 static bool add_expression(struct resolving *r, const struct observable_request *request,

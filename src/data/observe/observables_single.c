@@ -162,43 +162,26 @@ static void volume_in_region(const struct output_view *view, const struct observ
 #define OF(target, name, family, unit, components, help)                                                     \
     { name, family, unit, help, OBSERVABLE_OF_##target, components, NULL }
 
+/* A vector of a wall; a vector of a particle, with a fourth part that counts the particle. */
+#define WALL_ROW(name, family, unit, letter, function, help)                                                 \
+    { .info = OF(WALL, name, family, unit, 3, help), .symbol = letter, .parts = 3, .of_rank = function }
+#define PARTICLE_ROW(name, unit, letter, function, help)                                                     \
+    {                                                                                                        \
+        .info = OF(PARTICLE, name, "", unit, 3, help), .symbol = letter, .parts = 4, .of_rank = function,    \
+        .finish = finish_one                                                                                 \
+    }
+
 static const struct observable_kind kinds[] = {
-    {.info = OF(WALL, "wall_force", "wall", "N", 3, "force of the particles on a wall"),
-     .symbol = "f",
-     .parts = 3,
-     .of_rank = force_on_wall},
-    {.info = OF(WALL, "wall_torque", "wall", "N m", 3, "torque of the particles on a wall about its centre"),
-     .symbol = "t",
-     .parts = 3,
-     .of_rank = torque_on_wall},
-    {.info = OF(WALL, "wall_offset", "", "m", 3, "displacement of a wall's centre from its place at rest"),
-     .symbol = "",
-     .parts = 3,
-     .of_rank = wall_offset},
-    {.info = OF(WALL, "wall_velocity", "", "m/s", 3, "velocity of a wall"),
-     .symbol = "v",
-     .parts = 3,
-     .of_rank = wall_velocity},
-    {.info = OF(PARTICLE, "position", "", "m", 3, "position of one particle"),
-     .symbol = "",
-     .parts = 4,
-     .of_rank = position_of_one,
-     .finish = finish_one},
-    {.info = OF(PARTICLE, "velocity", "", "m/s", 3, "velocity of one particle"),
-     .symbol = "v",
-     .parts = 4,
-     .of_rank = velocity_of_one,
-     .finish = finish_one},
-    {.info = OF(PARTICLE, "angular_velocity", "", "rad/s", 3, "angular velocity of one particle"),
-     .symbol = "w",
-     .parts = 4,
-     .of_rank = spin_of_one,
-     .finish = finish_one},
-    {.info = OF(PARTICLE, "force", "", "N", 3, "force of contacts and walls on one particle"),
-     .symbol = "f",
-     .parts = 4,
-     .of_rank = force_on_one,
-     .finish = finish_one},
+    WALL_ROW("wall_force", "wall", "N", "f", force_on_wall, "force of the particles on a wall"),
+    WALL_ROW("wall_torque", "wall", "N m", "t", torque_on_wall,
+             "torque of the particles on a wall about its centre"),
+    WALL_ROW("wall_offset", "", "m", "", wall_offset,
+             "displacement of a wall's centre from its place at rest"),
+    WALL_ROW("wall_velocity", "", "m/s", "v", wall_velocity, "velocity of a wall"),
+    PARTICLE_ROW("position", "m", "", position_of_one, "position of one particle"),
+    PARTICLE_ROW("velocity", "m/s", "v", velocity_of_one, "velocity of one particle"),
+    PARTICLE_ROW("angular_velocity", "rad/s", "w", spin_of_one, "angular velocity of one particle"),
+    PARTICLE_ROW("force", "N", "f", force_on_one, "force of contacts and walls on one particle"),
     {.info =
          OF(REGION, "count", "", "1", 1, "number of particles in a region; those of a fluid do not count"),
      .parts = 1,
@@ -208,6 +191,8 @@ static const struct observable_kind kinds[] = {
      .of_particle = volume_in_region},
 };
 
+#undef PARTICLE_ROW
+#undef WALL_ROW
 #undef OF
 
 int observables_single_count(void) {

@@ -182,8 +182,9 @@ static bool names_differ(const struct scene *scene, const struct tree_node *root
 }
 
 bool finish_names(const struct scene *scene, const struct tree_node *root, struct error *error) {
-    static const char *const list[] = {"materials",          "walls", "groups", "observables.regions",
-                                       "observables.planes", "stages"};
+    static const char *const list[] = {
+        "materials",         "walls", "groups", "observables.regions", "observables.planes",
+        "observables.grids", "stages"};
     for (size_t k = 0; k < sizeof(list) / sizeof(list[0]); k++)
         if (!names_differ(scene, root, list[k], error))
             return false;

@@ -294,7 +294,10 @@ void schema_allowed(const struct schema_row *row, char *text, size_t room) {
     if (row->target)
         append_word(text, room, " ", row->target);
     if (row->in_column)
-        append_word(text, room, " ", "without comma, double quote, square bracket or control character");
+        append_word(text, room, " ",
+                    row->in_column == SCHEMA_COLUMN_NAME
+                        ? "without comma, double quote, square bracket, slash or control character"
+                        : "without comma, double quote, square bracket or control character");
     char range[80] = "";
     if (row->type != SCHEMA_SEED)
         range_words(row, range, sizeof(range));

@@ -7,7 +7,7 @@
 /* clang-format off */
 
 static const struct schema_row material_rows[] = {
-    {.key = "name", .type = SCHEMA_TEXT, .required = true, .in_column = true, AT(struct law_material, name),
+    {.key = "name", .type = SCHEMA_TEXT, .required = true, .in_column = SCHEMA_COLUMN_NAME, AT(struct law_material, name),
      .help = "name of the material for other keys", .example = "glass"},
     {.key = "density", .type = SCHEMA_REAL, .unit = "kg/m3", .when = "/box.density=volume", .range = "(0, inf)", .required = true,
      AT(struct law_material, density), .help = "mass of a sphere over its volume, in two dimensions too (box.density: area changes that)",

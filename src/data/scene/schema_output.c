@@ -121,7 +121,7 @@ const struct schema_name schema_components[] = {
 static const struct schema_row request_rows[] = {
     {.key = "name", .type = SCHEMA_CHOICE, .choice = schema_observable_choice, .required = true,
      .with_target = true, AT(struct observable_request, name), .help = "the observable; NAME/TARGET gives its target, too", .example = "position"},
-    {.key = "label", .type = SCHEMA_TEXT, .fallback = "", .in_column = true, AT(struct observable_request, label),
+    {.key = "label", .type = SCHEMA_TEXT, .fallback = "", .in_column = SCHEMA_COLUMN_NAME, AT(struct observable_request, label),
      .help = "first part of the column's name; left out: the target's name", .example = "ball"},
     {.key = "target", .type = SCHEMA_TEXT, .fallback = "", AT(struct observable_request, target),
      .help = "wall, region, plane or group, `region/material` for one material; left out: all of them, for stress the whole box",
@@ -134,7 +134,7 @@ static const struct schema_row request_rows[] = {
              "fields of one number, in base units", .example = "0.5*mass*(vx^2+vy^2+vz^2)"},
     {.key = "where", .type = SCHEMA_TEXT, .fallback = "", AT(struct observable_request, where),
      .help = "an expression that is not 0 for the particles that count; left out: all", .example = "z > 0.1 && material == 1"},
-    {.key = "unit", .type = SCHEMA_TEXT, .fallback = "", .in_column = true, AT(struct observable_request, unit),
+    {.key = "unit", .type = SCHEMA_TEXT, .fallback = "", .in_column = SCHEMA_COLUMN_UNIT, AT(struct observable_request, unit),
      .help = "unit of the expression, for the head of the column; left out: 1", .example = "J"},
     {.key = "cells", .type = SCHEMA_LONGS, .range = "[1, 100000]", ARRAY_AT(struct observable_request, cells, directions),
      .help = "for lacey: cells of the box along x, y and z", .example = "[10, 1, 20]"},
@@ -148,7 +148,7 @@ static const struct schema_name region_shape_names[] = {{"box", OUTPUT_REGION_BO
                                                         {"cylinder", OUTPUT_REGION_CYLINDER, NULL},
                                                         {0}};
 static const struct schema_row region_rows[] = {
-    {.key = "name", .type = SCHEMA_TEXT, .required = true, .in_column = true, AT(struct output_region, name),
+    {.key = "name", .type = SCHEMA_TEXT, .required = true, .in_column = SCHEMA_COLUMN_NAME, AT(struct output_region, name),
      .help = "name of the region for observables", .example = "upper_right"},
     {.key = "shape", .type = SCHEMA_NAME, .names = region_shape_names, .required = true,
      AT(struct output_region, shape), .help = "the shape", .example = "box"},
@@ -172,7 +172,7 @@ static const struct schema_row region_rows[] = {
 static const struct schema_table region_table = TABLE(region_rows);
 
 static const struct schema_row plane_rows[] = {
-    {.key = "name", .type = SCHEMA_TEXT, .required = true, .in_column = true, AT(struct output_plane, name),
+    {.key = "name", .type = SCHEMA_TEXT, .required = true, .in_column = SCHEMA_COLUMN_NAME, AT(struct output_plane, name),
      .help = "name of the plane for observables", .example = "outlet"},
     {.key = "point", .type = SCHEMA_VECTOR, .unit = "m", .required = true, AT(struct output_plane, point),
      .help = "a point of the plane", .example = "[0, 0, 0]"},
@@ -187,7 +187,7 @@ static const struct schema_name kernel_names[] = {
     {"gauss", OUTPUT_KERNEL_GAUSS, "a Gaussian around each centre, cut at four widths: smooth fields"},
     {0}};
 static const struct schema_row grid_rows[] = {
-    {.key = "name", .type = SCHEMA_TEXT, .required = true, .in_column = true, AT(struct output_grid, name),
+    {.key = "name", .type = SCHEMA_TEXT, .required = true, .in_column = SCHEMA_COLUMN_NAME, AT(struct output_grid, name),
      .help = "the file is grid-NAME.csv", .example = "height"},
     {.key = "every", EVERY(struct output_grid, every), .help = "interval; left out: that of the observables"},
     {.key = "cells", .type = SCHEMA_LONGS, .range = "[1, 100000]", .required = true,

@@ -224,7 +224,7 @@ static const struct schema_row select_rows[] = {
 };
 static const struct schema_table select_table = TABLE(select_rows);
 static const struct schema_row group_rows[] = {
-    {.key = "name", .type = SCHEMA_TEXT, .required = true, AT(struct scene_group, name),
+    {.key = "name", .type = SCHEMA_TEXT, .required = true, .in_column = SCHEMA_COLUMN_NAME, AT(struct scene_group, name),
      .help = "name of the group for sources", .example = "floor"},
     {.key = "motion", .type = SCHEMA_NAME, .names = group_names, .fallback = "free",
      AT(struct scene_group, motion), .help = "motion of the particles"},

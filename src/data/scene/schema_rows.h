@@ -56,6 +56,10 @@ struct schema_table {
     int count;
 };
 
+/* What a text is of a column of observables.csv. A name must break neither the line nor the path of the column in the
+ * trajectory, where a slash parts groups; nor the path of a file that bears the name. */
+enum schema_column { SCHEMA_NO_COLUMN, SCHEMA_COLUMN_UNIT, SCHEMA_COLUMN_NAME };
+
 struct schema_row {
     const char *key;
     const char *alias; /* an older name of the key, still read, with a note; NULL: none */
@@ -71,7 +75,7 @@ struct schema_row {
     bool with_target;                                /* CHOICE: NAME/TARGET is a name, too */
     const char *(*traits)(int value); /* NAME: words "a b" that conditions may ask for; NULL: none */
     const char *target;               /* REF, REFS: a list at the top level */
-    bool in_column;   /* TEXT: part of a column's name in observables.csv; must not break the name */
+    enum schema_column in_column;     /* TEXT */
     const char *when; /* "shape=cylinder|plane": the key exists only then; "/contact.damping=restitution" from
                          the top; "/contact.law:moduli" (from the top alone): with all names that have the trait;
                          "a=b & c=d" */

@@ -29,7 +29,7 @@ static const struct schema_row condition_rows[] = {
 static const struct schema_table condition_table = TABLE(condition_rows);
 
 static const struct schema_row stage_rows[] = {
-    {.key = "name", .type = SCHEMA_TEXT, .required = true, .in_column = true, AT(struct scene_stage, name),
+    {.key = "name", .type = SCHEMA_TEXT, .required = true, .in_column = SCHEMA_COLUMN_NAME, AT(struct scene_stage, name),
      .help = "name of the stage for messages and the report", .example = "pour"},
     {.key = "duration", .type = SCHEMA_REAL, .unit = "s", .range = "(0, inf]", AT(struct scene_stage, duration),
      .help = "simulated time from the beginning of the stage to its end; with until: at the latest", .example = "0.5 s"},

@@ -151,10 +151,13 @@ static bool read_bool(struct schema_reader *reader, const struct schema_row *row
     return refuse(reader, row, node, key, why);
 }
 
-/* True if a text does not break a line of observables.csv, nor hide where a column's unit begins. */
-static bool fits_column(const char *text) {
+/* True if a text does not break a line of observables.csv, nor hide where a column's unit begins; a name no path, either. */
+static bool fits_column(const char *text, enum schema_column use) {
+    bool name = use == SCHEMA_COLUMN_NAME;
+    if (name && (strcmp(text, ".") == 0 || strcmp(text, "..") == 0))
+        return false;
     for (; *text; text++)
-        if ((unsigned char)*text < ' ' || *text == 127 || strchr(",\"[]", *text))
+        if ((unsigned char)*text < ' ' || *text == 127 || strchr(",\"[]", *text) || (name && *text == '/'))
             return false;
     return true;
 }
@@ -165,7 +168,7 @@ static bool read_text(struct schema_reader *reader, const struct schema_row *row
         return false;
     if (row->required && !node->text[0])
         return refuse(reader, row, node, key, "the text is empty");
-    if (row->in_column && !fits_column(node->text))
+    if (row->in_column && !fits_column(node->text, row->in_column))
         return refuse(reader, row, node, key, "cannot be part of a column's name");
     if (strlen(node->text) >= row->size) {
         char why[80];

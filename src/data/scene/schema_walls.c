@@ -95,7 +95,7 @@ static const char *mesh_format_choice(int k, const char **help) {
 }
 
 static const struct schema_row wall_rows[] = {
-    {.key = "name", .type = SCHEMA_TEXT, .fallback = "", .in_column = true, AT(struct wall_options, name),
+    {.key = "name", .type = SCHEMA_TEXT, .fallback = "", .in_column = SCHEMA_COLUMN_NAME, AT(struct wall_options, name),
      .help = "name of the wall for observables; left out: wall1, wall2, ...", .example = "floor"},
     {.key = "shape", .type = SCHEMA_NAME, .names = shape_names, .required = true,
      AT(struct wall_options, shape), .help = "the shape", .example = "plane"},

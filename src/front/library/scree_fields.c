@@ -51,6 +51,12 @@ void scree_changed(struct scree_simulation *simulation) {
     simulation->state->classes_stale = true;
 }
 
+/* Mass over volume of a new particle. */
+static double density_of(const struct scree_simulation *simulation, const struct scree_particle *p) {
+    double given = p->density > 0 ? p->density : simulation->scene->material[p->material].density;
+    return particles_density(&simulation->state->box, p->radius, given);
+}
+
 /* Refuses a particle that cannot be. */
 static bool particle_suits(const struct scree_simulation *simulation, const struct scree_particle *p,
                            size_t k, struct error *error) {
@@ -76,8 +82,7 @@ static bool particle_suits(const struct scree_simulation *simulation, const stru
     if (p->density == 0 && scene->materials == 0)
         return error_set(error, ERROR_USER, "new particle %zu: needs a density, as there are no materials",
                          k);
-    double density = p->density > 0 ? p->density : scene->material[p->material].density;
-    double mass = density * 4 * M_PI / 3 * p->radius * p->radius * p->radius;
+    double mass = particles_sphere_mass(p->radius, density_of(simulation, p));
     return (isnormal(mass) && isnormal(1 / mass)) ||
            error_set(error, ERROR_USER, "new particle %zu: its mass, %g, is beyond what numbers hold", k,
                      mass);
@@ -91,20 +96,16 @@ bool scree_add(struct scree_simulation *simulation, const struct scree_particle 
     if (own.kind != ERROR_NONE)
         return scree_parts_tell(&own, error);
     const struct box *box = &simulation->state->box;
-    const struct scene *scene = simulation->scene;
     for (size_t k = 0; k < count; k++)
         if (!particle_suits(simulation, &particles[k], k, &own))
             return scree_parts_tell(&own, error);
     for (size_t k = 0; k < count; k++) {
         const struct scree_particle *p = &particles[k];
         struct insertion_candidate given = {.radius = p->radius,
-                                            .density = p->density,
+                                            .density = density_of(simulation, p),
                                             .temperature = NAN,
                                             .material = p->material,
                                             .group = p->group};
-        if (given.density == 0)
-            given.density = scene->material[p->material].density;
-        given.density = particles_density(box, p->radius, given.density);
         for (int d = 0; d < 3; d++) {
             given.x[d] = p->position[d] - box->origin[d];
             given.v[d] = p->velocity[d];

@@ -114,18 +114,14 @@ static void print_longer_steps(const struct simulation *s) {
 /* The step in two lines. */
 static void print_step_short(const struct simulation *s) {
     const struct grains *grains = grains_of(&s->physics);
-    const struct timestep_limits *limits = &grains->stable.limits;
     bool springs = s->scene->materials > 0 && !grains->law.options.solved;
     printf("time step %.6g", s->clock.dt);
     if (!isfinite(s->timing.stable)) {
         printf("; any is stable\n");
         return;
     }
-    printf(" = %.3g of the stable %.6g", s->clock.dt / s->timing.stable, s->timing.stable);
-    if (springs)
-        printf(" (contact '%s' - '%s')", s->scene->material[limits->material_a].name,
-               s->scene->material[limits->material_b].name);
-    printf("\n");
+    printf(" = %.3g of the stable %.6g (%s)\n", s->clock.dt / s->timing.stable, s->timing.stable,
+           s->timing.why);
     double error = step_study_error(&s->scene->law, s->clock.dt / s->timing.stable),
            longer = step_study_error(&s->scene->law, long_fraction);
     if (springs && s->clock.dt_fraction > 0 && !isnan(error) && !isnan(longer))
@@ -137,18 +133,12 @@ static void print_step_short(const struct simulation *s) {
 static void print_step(const struct simulation *s) {
     const struct grains *grains = grains_of(&s->physics);
     bool limited = isfinite(s->timing.stable);
-    printf("\ntime step\n");
     bool springs = s->scene->materials > 0 && !grains->law.options.solved;
-    if (springs)
-        printf("  stable       %.6g (contact '%s' - '%s', damping ratio %.3g)\n", s->timing.stable,
-               s->scene->material[grains->stable.limits.material_a].name,
-               s->scene->material[grains->stable.limits.material_b].name,
-               grains->stable.limits.damping_ratio + 0.0); /* no -0 */
-    else if (limited)
-        printf("  stable       %.6g\n", s->timing.stable);
+    printf("\ntime step\n");
+    if (limited)
+        printf("  stable       %.6g (%s)\n", s->timing.stable, s->timing.why);
     if (s->timing.stable < s->timing.expected)
-        printf("               for the contacts that there are; %.6g for contacts to come\n",
-               s->timing.expected);
+        printf("               %.6g for contacts to come\n", s->timing.expected);
     if (springs)
         printf("  contact time %.6g\n", grains->stable.limits.contact_time);
     if (grains->stable.limits.rayleigh > 0)

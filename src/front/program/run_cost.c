@@ -91,6 +91,19 @@ static void wall_frames_print(const struct simulation *s, bool all, uint64_t ste
     wall_surface_free(&surface);
 }
 
+static void grids_print(const struct simulation *s, bool all, uint64_t steps) {
+    const struct observables_options *options = &s->scene->output.observables;
+    for (int g = 0; g < options->grids; g++) {
+        const struct output_grid *grid = &options->grid[g];
+        char name[OUTPUT_NAME_MAX + 16];
+        double cells = 1;
+        for (int d = 0; d < s->scene->box.dimension; d++)
+            cells *= (double)grid->cells[d];
+        snprintf(name, sizeof name, "grid-%s.csv", grid->name);
+        file_print(all, name, cells * times(s, &grid->every, steps), "row", 0);
+    }
+}
+
 /* Prints the files that `steps` steps will write. Collective: frames are made to find their columns. */
 static void files_print(const struct simulation *s, bool all, uint64_t steps) {
     const struct output_options *output = &s->scene->output;
@@ -108,7 +121,7 @@ static void files_print(const struct simulation *s, bool all, uint64_t steps) {
     if (frames > 0 && trajectory->xdmf)
         file_print(all, "trajectory.xdmf", frames, "frame", frames * XDMF_FRAME);
     if (output_interval_set(&trajectory->contacts))
-        file_print(all, "", times(s, &trajectory->contacts, steps), "list of contacts", 0);
+        file_print(all, "contacts in trajectory.h5", times(s, &trajectory->contacts, steps), "list", 0);
     if (output_interval_set(&output->dump.every)) {
         double count = times(s, &output->dump.every, steps);
         file_print(all, "dump.lammpstrj", count, "frame", count * line);
@@ -116,6 +129,7 @@ static void files_print(const struct simulation *s, bool all, uint64_t steps) {
     wall_frames_print(s, all, steps);
     if (output_interval_set(&output->observables.every))
         file_print(all, "observables.csv", times(s, &output->observables.every, steps), "row", 0);
+    grids_print(s, all, steps);
     double checkpoints = output->checkpoint.at_end ? 1 : 0;
     if (output->checkpoint.every_steps > 0)
         checkpoints += floor((double)steps / (double)output->checkpoint.every_steps);
@@ -126,7 +140,7 @@ static void files_print(const struct simulation *s, bool all, uint64_t steps) {
     printf(all ? "    report.json\n" : "\n");
     if (frames == 0 && !output_interval_set(&trajectory->contacts) &&
         !output_interval_set(&output->dump.every) && !output_interval_set(&output->observables.every) &&
-        !output_interval_set(&output->walls.every))
+        !output_interval_set(&output->walls.every) && output->observables.grids == 0)
         printf("    nothing else will be written: no trajectory, no dump, no observables\n");
     if (s->scene->insertions > 0)
         printf("    (particles that are inserted later come on top)\n");

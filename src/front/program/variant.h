@@ -49,9 +49,9 @@ struct variant_facts {
 };
 
 /* Finds the facts by creating the simulation of a scene and destroying it. variant_forget releases. Collective. */
-void variant_forget(struct variant_facts *facts);
 bool variant_probe(const struct comm *comm, const struct scene *scene, struct variant_facts *facts,
                    struct error *error);
+void variant_forget(struct variant_facts *facts);
 
 /* Fills `list` with the scene as it is and the variants that make sense for the scene; returns the number of
  * entries. */

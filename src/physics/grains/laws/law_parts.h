@@ -12,7 +12,7 @@
  *   1. Add a row to its table here, and its coefficients to struct law_extra (law_form.h).
  *   2. Write its formula: the pull of a cohesion in law_cohesion.h and its energy in law_cohesion.c (with a row of
  *      the table in force_grip.h the pull is vectorised), resistances in law_resist.c.
- *   3. Add the keys of the coefficients to scene/schema_parts.c, and the formula with its source to
+ *   3. Add the keys of the coefficients to src/data/scene/schema_contact.c, and the formula with its source to
  *      docs/physics.md.
  *
  * The scene's names, the check of what combines, the help and `scree check` then know the part.
