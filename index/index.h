@@ -30,7 +30,7 @@
  *                owned particles only (total = owned)
  *   build        at a rebuild                        its own state; keeps no      opens its team
  *                                                    pointer into the view
- *   visit        by pairs/, to count and to fill     its state read-only;         many at once
+ *   visit        by pair lists, to count and to fill its state read-only;         many at once
  *                                                    the thread's own sink
  *   check        tests                               nothing                      one
  *   describe     start of a run, `scree check`       nothing                      one

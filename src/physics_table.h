@@ -2,7 +2,7 @@
 /* The physics: one row each. engine/physics.h has the contract and the recipe.
  *
  * PHYSICS_TABLE has those that a scene may ask for, with NAME, the key of the physics' section in a scene, and a summary. A
- * row stands for these objects of src/NAME/. PARTICLES is OWN if the physics makes particles of its own, and needs all pairs of each on
+ * row stands for these objects of src/physics/NAME/. PARTICLES is OWN if the physics makes particles of its own, and needs all pairs of each on
  * its rank (newton is then off); BODIES if its own particles meet nobody; GRAINS if it makes none:
  *
  *   NAME_physics      struct physics              engine/physics.h

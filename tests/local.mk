@@ -53,6 +53,7 @@ check_PROGRAMS += \
 	tests/test_law_motion \
 	tests/test_bonds \
 	tests/test_law_parts \
+	tests/test_law_range \
 	tests/test_stability \
 	tests/test_timestep
 EXTRA_DIST += tests/fields_by_hand.h tests/forces_by_hand.h tests/law_parts_by_hand.h tests/laws_by_hand.h tests/near.h tests/own_law.h tests/pairs_by_hand.h tests/particles_by_hand.h
@@ -74,6 +75,8 @@ tests_test_bonds_SOURCES = tests/test_bonds.c
 tests_test_bonds_LDADD = libbonds.la $(SCENE_LIBS) $(TEST_LIBS)
 tests_test_law_parts_SOURCES = tests/test_law_parts.c
 tests_test_law_parts_LDADD = $(WALLS_LIBS) $(TEST_LIBS)
+tests_test_law_range_SOURCES = tests/test_law_range.c
+tests_test_law_range_LDADD = $(WALLS_LIBS) $(TEST_LIBS)
 tests_test_law_impact_SOURCES = tests/test_law_impact.c
 tests_test_law_impact_LDADD = $(WALLS_LIBS) $(TEST_LIBS)
 tests_test_stability_SOURCES = tests/test_stability.c

@@ -29,7 +29,23 @@ static void test_factor(void **state) {
                                flow_drive_factor(&table, false, t), 1e-12);
 }
 
+/* A pressure drop acts over the edge along its own axis. */
+static void test_drop(void **state) {
+    const struct box box = {.dimension = 3, .edge = {2, 4, 8}, .periodic = {true, true, true}};
+    struct fluid_options options = {.drive = {.pressure_drop = 3, .mass_flow = NAN}};
+    struct error error = {0};
+    (void)state;
+    for (int axis = 0; axis < 3; axis++) {
+        options.drive.axis = axis;
+        struct drive drive = flow_drive_begin(&options, &box, &error);
+        for (int d = 0; d < 3; d++)
+            assert_float_equal(drive.force[d], d == axis ? 3 / box.edge[d] : 0, 1e-15);
+        flow_drive_free(&drive);
+    }
+    assert_int_equal(error.kind, ERROR_NONE);
+}
+
 int main(void) {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(test_factor)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(test_factor), cmocka_unit_test(test_drop)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

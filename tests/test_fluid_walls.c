@@ -4,6 +4,7 @@
 #include "physics/fluid/lattice/body_surfaces.h"
 #include "physics/fluid/operators/surface_forces.h"
 #include "physics/fluid/lattice/mirror.h"
+#include "physics/fluid/schemes/open_sides.h"
 #include "fluid_cloud.h"
 #include <math.h>
 #include <setjmp.h>
@@ -198,8 +199,22 @@ static void test_open(void **state) {
     open_by(true);
 }
 
+/* A parabola is one in the middle, 3/4 half-way, and 0 at the edges, in each direction along the side that does not repeat. */
+static void test_parabola(void **state) {
+    const struct box box = {.dimension = 3, .edge = {2, 4, 8}, .periodic = {false, false, true}};
+    const struct fluid_open open = {.side = 0, .profile = FLUID_PARABOLIC, .velocity = {1, 2, 3}};
+    const double share[] = {0, 0.75, 1, 0.75, 0};
+    (void)state;
+    for (int k = 0; k < 5; k++) {
+        double velocity[3];
+        open_velocity(&open, &box, (double[3]){0.3, k, 1}, velocity);
+        for (int d = 0; d < 3; d++)
+            assert_float_equal(velocity[d], share[k] * open.velocity[d], 1e-15);
+    }
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {cmocka_unit_test(test_turn), cmocka_unit_test(test_couple),
-                                       cmocka_unit_test(test_open)};
+                                       cmocka_unit_test(test_open), cmocka_unit_test(test_parabola)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -46,7 +46,7 @@ static void test_jkr(void **state) {
     (void)state;
     const double modulus = 3e6, gamma = 0.7, radius = 0.3, work = 2.0 * gamma;
     double s = sqrt(2.0 * M_PI * work / modulus), pull = 0.0, where = 0.0;
-    double end = law_jkr_end_overlap(modulus, gamma, radius, LAW_JKR_END_DISTANCE);
+    double end = -law_jkr_end_gap(s, radius, LAW_JKR_END_DISTANCE);
     assert_near(end / (-0.75 * cbrt(M_PI * M_PI * work * work * radius / (modulus * modulus))), 1.0, 1e-12);
     for (int k = 1; k <= 20000; k++) {
         double overlap = end + (0.01 - end) * k / 20000.0;
@@ -57,7 +57,7 @@ static void test_jkr(void **state) {
         pull = fmin(pull, force);
     }
     assert_near(pull / (-1.5 * M_PI * work * radius), 1.0, 2e-6);
-    assert_near(where, law_jkr_end_overlap(modulus, gamma, radius, LAW_JKR_END_FORCE), 2.0 * 0.011 / 20000.0);
+    assert_near(where, -law_jkr_end_gap(s, radius, LAW_JKR_END_FORCE), 2.0 * 0.011 / 20000.0);
     double a = law_jkr_end_radius(modulus, gamma, radius, LAW_JKR_END_DISTANCE);
     assert_near(law_jkr_at(modulus, gamma, radius, a).force / pull, 5.0 / 9.0, 2e-6);
     assert_near(a * a / radius - s * sqrt(a), end, 1e-14);
@@ -79,7 +79,7 @@ static void test_jkr_digits(void **state) {
             assert_near((d + s * x) / rise, 1.0, 4e-15);
         }
         for (int end = 0; end < 2; end++) {
-            double last = law_jkr_end_overlap(modulus, gamma, radius, (enum law_jkr_end)end);
+            double last = -law_jkr_end_gap(s, radius, (enum law_jkr_end)end);
             assert_true(law_jkr_holds(s, radius, last * (1.0 - 1e-14), (enum law_jkr_end)end));
             assert_false(law_jkr_holds(s, radius, last * (1.0 + 1e-14), (enum law_jkr_end)end));
         }

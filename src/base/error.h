@@ -2,7 +2,7 @@
 /* The kinds of failure, and the one way each is reported.
  *
  * A function that can fail because of the user or of the system takes a `struct error *` as its last
- * argument, fills it and returns false. Nobody below `app/` prints or exits: the caller decides, and under
+ * argument, fills it and returns false. Nobody below `src/front` prints or exits: the caller decides, and under
  * MPI `comm_agree` turns the error of one rank into the same error on all of them, so that exactly one
  * message appears. A programmer's mistake is an assert. Only an error that cannot be reported upwards (memory
  * exhausted in a thread, a failed MPI call) goes through `error_fatal`.

@@ -251,11 +251,21 @@ static size_t smaller_room(size_t room, size_t most, size_t used) {
     return left < room ? left : room;
 }
 
+/* What the control group uses and the system cannot take back: without files that it keeps in memory. */
+static size_t group_used(void) {
+    size_t used = system_number("/sys/fs/cgroup/memory.current", "", 1);
+    static const char *const kept[] = {"active_file ", "inactive_file "};
+    for (int k = 0; k < 2 && used != SIZE_MAX; k++) {
+        size_t bytes = system_number("/sys/fs/cgroup/memory.stat", kept[k], 1);
+        used -= bytes == SIZE_MAX ? 0 : bytes < used ? bytes : used;
+    }
+    return used;
+}
+
 size_t memory_room(void) {
     struct rlimit limit;
     size_t room = system_number("/proc/meminfo", "MemAvailable:", 1024);
-    room = smaller_room(room, system_number("/sys/fs/cgroup/memory.max", "", 1),
-                        system_number("/sys/fs/cgroup/memory.current", "", 1));
+    room = smaller_room(room, system_number("/sys/fs/cgroup/memory.max", "", 1), group_used());
     if (getrlimit(RLIMIT_AS, &limit) == 0 && limit.rlim_cur != RLIM_INFINITY)
         room = smaller_room(room, limit.rlim_cur, system_number("/proc/self/status", "VmSize:", 1024));
     return room;

@@ -107,27 +107,19 @@ bool guards_calm(const struct simulation *s) {
            (s->scene->guards.overlap == SCENE_GUARD_OFF || overlap < s->scene->guards.overlap_bound);
 }
 
-/* True if the sum of these numbers is finite. */
-static bool all_finite(const double *value, int count) {
-    double sum = 0;
-    for (int k = 0; k < count; k++)
-        sum += value[k];
-    return isfinite(sum);
-}
-
 /* True if position and speed of a particle are finite; the square of the speed is, too, as in integrator_advance. */
 static bool state_finite(const struct particle_state *p) {
     const double square[3] = {p->v[0] * p->v[0], p->v[1] * p->v[1], p->v[2] * p->v[2]};
-    return all_finite(p->x, 3) && all_finite(square, 3);
+    return trip_finite(p->x, 3) && trip_finite(square, 3);
 }
 
 /* What of an owned particle is not finite; NULL: all is. */
 static const char *strange_of(const struct particles *p, const double (*omega)[4], size_t k) {
     if (!state_finite(&p->state[k]))
         return "position or velocity";
-    if (omega && !all_finite(omega[k], 3))
+    if (omega && !trip_finite(omega[k], 3))
         return "angular velocity";
-    return all_finite(p->force + k * (size_t)p->force_stride, p->force_stride) ? NULL : "force or torque";
+    return trip_finite(p->force + k * (size_t)p->force_stride, p->force_stride) ? NULL : "force or torque";
 }
 
 /* Places that are not numbers would break the search, and other numbers spoil one another, so they always stop the run. */

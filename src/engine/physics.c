@@ -2,6 +2,7 @@
 /* The physics of a run: finds the physics that the scene asks for, and calls them. Read physics.h first. */
 #include "engine/physics.h"
 #include "kernel/particles/kinds.h"
+#include <assert.h>
 #include <math.h>
 #include <string.h>
 
@@ -38,10 +39,11 @@ const struct physics_active *physics_next(const struct physics_set *set, const s
     return NULL;
 }
 
-static void activate(struct physics_set *set, const struct physics *row,
-                     const struct physics_context *context) {
+static void activate(struct physics_set *set, int number, const struct physics_context *context) {
+    const struct physics *row = entries[number].physics;
     struct physics_active *active = &set->active[set->count++];
-    *active = (struct physics_active){.row = row, .context = *context, .first = set->interactions->count};
+    *active = (struct physics_active){
+        .row = row, .number = number, .context = *context, .first = set->interactions->count};
     active->context.set = set;
     if (row->maker && row->maker->moving)
         set->interactions->moving |= row->maker->moving(context->options);
@@ -57,9 +59,9 @@ static bool roles_find(struct physics_set *set, struct error *error) {
     set->mover = set->obstacles = NULL;
     PHYSICS_EACH (active, set, mover) {
         const struct physics_active *mover = set->mover;
-        if (mover && mover >= set->active + PHYSICS_ALL - PHYSICS_COUNT)
-            return scene_fail(active->context.scene, error, active->row->name,
-                              "does not go with %s: both move the grains", mover->row->name);
+        if (mover && mover->number < PHYSICS_COUNT)
+            return scene_fail(active->context.scene, error, entries[active->number].key,
+                              "does not go with %s: both move the grains", entries[mover->number].key);
         set->mover = active;
     }
     for (int k = 0; k < set->count; k++)
@@ -77,7 +79,7 @@ bool physics_begin(struct physics_set *set, const struct physics_context *contex
     for (int k = PHYSICS_COUNT; k < PHYSICS_ALL; k++) {
         struct physics_context own = *context;
         bool good = entries[k].start(&own, error);
-        activate(set, entries[k].physics, &own);
+        activate(set, k, &own);
         if (!good)
             return false;
     }
@@ -89,20 +91,16 @@ bool physics_begin(struct physics_set *set, const struct physics_context *contex
             kinds_register(context->particles);
         entries[k].fields(context->particles);
         own.options = scene->physics[k];
-        activate(set, entries[k].physics, &own);
+        activate(set, k, &own);
     }
     return roles_find(set, error);
 }
 
 /* Refuses a physics that does not know a box that moves. */
 static bool suits_box(const struct physics_active *active, struct error *error) {
-    if (!active->context.box->motion.moves || active->row->box_moves)
-        return true;
-    for (int k = 0; k < PHYSICS_COUNT; k++)
-        if (entries[k].physics == active->row)
-            return scene_fail(active->context.scene, error, entries[k].key,
-                              "does not go with a box that moves (box.shear, box.strain, box.stress)");
-    return true;
+    return !active->context.box->motion.moves || active->row->box_moves ||
+           scene_fail(active->context.scene, error, entries[active->number].key,
+                      "does not go with a box that moves (box.shear, box.strain, box.stress)");
 }
 
 bool physics_create(struct physics_set *set, struct error *error) {
@@ -122,12 +120,10 @@ bool physics_create(struct physics_set *set, struct error *error) {
 }
 
 void physics_own(const struct physics_set *set, const void *own[PHYSICS_COUNT]) {
-    for (int number = 0; number < PHYSICS_COUNT; number++) {
-        own[number] = NULL;
-        for (int k = 0; k < set->count; k++)
-            if (set->active[k].row == entries[number].physics)
-                own[number] = set->active[k].context.self;
-    }
+    memset(own, 0, PHYSICS_COUNT * sizeof *own);
+    for (int k = 0; k < set->count; k++)
+        if (set->active[k].number < PHYSICS_COUNT)
+            own[set->active[k].number] = set->active[k].context.self;
 }
 
 /* The last first, as others use what grains have. */
@@ -187,12 +183,11 @@ bool physics_due(const struct physics_set *set) {
 
 void physics_rows(const struct physics_set *set, struct history_rows *rows[PHYSICS_COUNT]) {
     memset(rows, 0, PHYSICS_COUNT * sizeof *rows);
-    for (int number = 0; number < PHYSICS_COUNT; number++)
-        PHYSICS_EACH (active, set, rows)
-            if (active->row == entries[number].physics) {
-                rows[number] = active->row->rows->of(&active->context);
-                rows[number]->components = active->row->rows->components;
-            }
+    PHYSICS_EACH (active, set, rows) {
+        assert(active->number < PHYSICS_COUNT);
+        rows[active->number] = active->row->rows->of(&active->context);
+        rows[active->number]->components = active->row->rows->components;
+    }
 }
 
 void physics_energies(const struct physics_set *set, struct physics_energy *energy) {

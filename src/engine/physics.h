@@ -9,10 +9,10 @@
  *
  * How to add a physics, in five steps (src/physics/density/ is the example, with everything in 150 lines):
  *
- *   1. Make a folder src/NAME/ with the rows of its section of a scene, its fields and its observables
+ *   1. Make a folder src/physics/NAME/ with the rows of its section of a scene, its fields and its observables
  *      (physics_table.h names the objects), and a local.mk that adds libNAME.la to PHYSICS_LIBS.
  *   2. Write its `struct physics`: interactions, create and destroy, passes.
- *   3. Add its row to PHYSICS_SECTION_TABLE, and `include src/NAME/local.mk` to Makefile.am.
+ *   3. Add its row to PHYSICS_SECTION_TABLE, and `include src/physics/NAME/local.mk` to Makefile.am.
  *   4. Write its test against a plain double loop, on several ranks and threads and on every index.
  *   5. `make pages` writes docs/scene.md and docs/output.md.
  *
@@ -22,7 +22,7 @@
  *      complete when the step ends: a pass that reads the force on a particle runs in PASS_LOOK, or in
  *      PASS_FIRST of the next step.
  *   2. Write its function: `whole`, `rows`, `block` or `share`, see struct physics_pass.
- *   3. Add its row to the array of passes of the physics, for grains in src/physics/grains/grains.c, and count it in
+ *   3. Add its row to the array of passes of the physics, for grains in src/physics/grains/grains_physics.c, and count it in
  *      `passes`. `scree check --all SCENE` prints the plan in which the pass then is.
  *   4. The time of a pass is a stage of the report, unless its row names the stage of another pass as `timer`:
  *      `make pages` writes it to docs/output.md. (Passes of PASS_LOOK count as output.)
@@ -350,6 +350,7 @@ struct physics {
 /* The physics of a run. */
 struct physics_active {
     const struct physics *row;
+    int number; /* enum physics_number */
     struct physics_context context;
     int first; /* number of the first interaction of the physics */
 };

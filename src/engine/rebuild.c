@@ -147,7 +147,7 @@ static void classify(struct simulation *s, struct rebuild_rows *rows) {
     particles_classify_from(s->particles, &s->classes, first);
 }
 
-static void walls_pass(struct simulation *s, struct rebuild_rows *rows) {
+static void obstacles_pass(struct simulation *s, struct rebuild_rows *rows) {
     (void)rows;
     s->physics.obstacles->row->obstacles->search(&s->physics.obstacles->context);
 }
@@ -253,7 +253,7 @@ static bool order_agrees(const struct simulation *s, const struct rebuild_rows *
     (void)rows;
     return order_needs_agreement(s);
 }
-static bool with_walls(const struct simulation *s, const struct rebuild_rows *rows) {
+static bool with_obstacles(const struct simulation *s, const struct rebuild_rows *rows) {
     (void)rows;
     return physics_meets(&s->physics);
 }
@@ -294,7 +294,7 @@ static const struct rebuild_pass passes[] = {
     {"index", NULL, "index", NULL, index_pass},
     {"pairs", NULL, "pairs", NULL, pairs_pass},
     {"used", "several ranks", "ghosts", many_ranks, used_pass},
-    {"walls", "walls", "wall", with_walls, walls_pass},
+    {"walls", "walls", "wall", with_obstacles, obstacles_pass},
     {"attach", NULL, "history", NULL, attach},
     {"physics", NULL, "pairs", NULL, tell_physics},
     {"plan", "several ranks, ring order", "pairs", order_agrees, plan_pass},

@@ -237,7 +237,7 @@ static bool run_open(struct run *run, struct error *error) {
     return outputs_write(run->outputs, s, error);
 }
 
-static bool solver_watch_begin(const struct run *run, struct error *error) {
+static bool watch_begin(const struct run *run, struct error *error) {
     const struct run_watch *watch = run->options->watch;
     return watch == NULL || watch->begin(watch->context, run->s, error);
 }
@@ -356,7 +356,7 @@ int run_one(const struct comm *comm, const struct scene *scene, const struct run
     start_tell(&run);
     run_signals_catch();
     if (run_stages_open(&run.stages, run.s, &run.output, error) && run_open(&run, error) &&
-        solver_watch_begin(&run, error)) {
+        watch_begin(&run, error)) {
         notes_tell(&run, false);
         run.record.setup = timer_now() - start;
         run_loop(&run, error);

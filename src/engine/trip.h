@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
-/* What guards have in common: they stop or warn, and name particles. */
+/* What guards have in common: they stop or warn, name particles, and know finite numbers. */
 #ifndef SCREE_ENGINE_TRIP_H
 #define SCREE_ENGINE_TRIP_H
 
@@ -15,5 +15,8 @@ void trip(enum scene_guard guard, const char *text, struct error *error, const s
 /* "particle 5 at (1, 2, 3)" in the user's coordinates. */
 enum { TRIP_NAME_MAX = 160 };
 void trip_name(const struct particles *particles, const struct box *box, size_t k, char text[TRIP_NAME_MAX]);
+
+/* True if all of these numbers are finite, and so is their sum. Any thread. */
+bool trip_finite(const double *value, int count);
 
 #endif

@@ -38,6 +38,26 @@ flight() {
 }
 check 'free flight of a dumbbell across periodic sides: closed form, energy' flight 1
 
+# Members across periodic sides keep their images: a jump by an edge would ask for a rebuild in the step after each rebuild
+seldom() { # bodies that fly 0.5 and turn; a skin of 0.1 lasts for 0.05
+    run_scene 1 flight.yaml seldom --set gravity=[0,0,0] --set 'box={lower: [0, 0, 0], upper: [5, 5, 5], periodic: true}' --set 'step={count: 600, dt: 0.0005}' --set skin=0.1 \
+        --set 'particles={from: random, count: 200, sizes: {law: fixed, radius: 0.2}, velocity: [1, 1, 1]}' --set material_pairs='[{k_n: 100, restitution: 0.9}]' --set contact.tangential=none &&
+        grep -o '"rebuilds": *[0-9]*' seldom/report.json | awk '{ print "  " $0; exit !($2 < 20) }'
+}
+check 'members across sides keep their images' seldom
+
+# A third of a turn about (1, 1, 1) takes the x axis of the entry to y and its y axis to z, whatever its principal axes are
+turned_body() {
+    rm -rf turned
+    run_scene 1 flight.yaml turned --set gravity=[0,0,0] --set particles.velocity=[0,0,0] --set step.count=1 --set output.dump.every=1 --set 'output.dump.fields=[id, radius, position]' --set \
+        'bodies.clumps[0]={name: angle, size: drawn, spheres: [{centre: [0, 0, 0], radius: 0.5}, {centre: [1, 0, 0], radius: 0.3}, {centre: [0, 1.5, 0], radius: 0.4}], orientation: given, quaternion: [1, 1, 1, 1]}' &&
+        rows turned | awk 'function apart(a, b) { a -= b; return a - 5 * int(a / 5 + (a > 0 ? 0.5 : -0.5)) }
+            { r = $3 + 0; for (d = 0; d < 3; d++) x[r, d] = $(4 + d) }
+            END { for (d = 0; d < 3; d++) { one = apart(x[0.3, d], x[0.5, d]) - (d == 1); two = apart(x[0.4, d], x[0.5, d]) - 1.5 * (d == 2); off += one * one + two * two }
+                print "  off " sqrt(off); exit NR != 4 || off > 1e-20 }'
+}
+check 'a body turned as its entry says' turned_body
+
 # Bodies as drawn: members keep their radii and distances whatever the radius of the grain is, and `scree check` knows the body: of two balls of
 # radius 1/2, 1.5 apart, at a density of 2, M = 2 pi / 3, inertia 2/5 M r^2 about the axis and M (2/5 r^2 + (3/4)^2) across it
 drawn='bodies.clumps[0]={name: dumbbell, size: drawn, spheres: [{centre: [7, 7, 7], radius: 0.5}, {centre: [7, 7, 8.5], radius: 0.5}], orientation: given, quaternion: [1, 0, 0, 0], angular_velocity: [0, 1.5, 0]}'

@@ -66,6 +66,7 @@ sed 's/group: bed, value: 1/value: 1/' dye.yaml >nowhere.yaml
 check "a scalar given nowhere" scene_refused 'nowhere.yaml:14|fluid.scalars[2].given[0]|one of wall, group and side' nowhere.yaml
 check "a scalar given at a side that is not open" scene_refused 'fluid.scalars[2].given[0].side|x_lower is no open side' dye.yaml --set 'fluid.scalars[2].given=[{side: x_lower, value: 1}]'
 check "a scalar given twice" scene_refused 'fluid.scalars[2].given[1]|twice' dye.yaml --set 'fluid.scalars[2].given=[{group: bed, value: 1}, {group: bed, value: 2}]'
+check "a scalar given at grains that no fluid stands around" scene_refused 'fluid.scalars[2].given[0].group|frozen' dye.yaml --set 'fluid.scalars[2].given=[{group: free, value: 1}]'
 check "a scalar without diffusivity" scene_refused 'fluid.scalars[0].diffusivity|missing' dye.yaml --set 'fluid.scalars=[{name: dye}]'
 # An electrolyte: charged grain and walls, a field that drives the flow; the same on other ranks (of the velocity as far as the steady solver goes)
 cat >ions.yaml <<'YAML'

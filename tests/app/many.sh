@@ -34,6 +34,11 @@ plates=$(awk 'BEGIN { printf "walls=["; for (k = 0; k < 250; k++) printf "%s{nam
 check '250 walls' many 1 --set "$plates"
 check '250 walls on 2 ranks' many 2 --set "$plates"
 
+# A grain feels a wall as far as its own pair of materials reaches: no step looks at all pairs of materials
+sed 's/\(k_n: 3000, restitution: [0-9.]*\)}/\1, hamaker: 1e-15, gap_least: 0.01, cut_off: 0.1}/' many.yaml >sticky.yaml
+sticky() { rm -rf many && run_scene "$1" sticky.yaml many --set contact.cohesion=van_der_waals && flies many; }
+check '251 materials that attract each other' sticky 1
+
 # 100 insertions of one grain each, and 100 deletions that take away every second one
 comes_and_goes() {
     awk 'BEGIN {

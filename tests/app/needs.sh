@@ -112,4 +112,17 @@ leanest() { # position, velocity, radius, mass, force, id and class alone
     "$scree" check --all flat.yaml >flat.txt && [ "$(sed -n '/^fields/,/stored/p' flat.txt | grep -c '^  [a-z_]*  *[0-9][0-9]* ')" = 7 ] && holds flat.txt 'history: none'
 }
 check 'smooth discs of one material store seven fields' leanest
+# In a control group that is full of files which the system keeps in memory, and in one that is full of data
+group() { # FILES COMMAND...
+    local files=$1
+    shift
+    unshare -rm bash -c 'mount -t tmpfs group /sys/fs/cgroup && cd /sys/fs/cgroup && echo 1000000000 >memory.max && echo 999999000 >memory.current &&
+        printf "anon 1\nactive_file %d\ninactive_file %d\n" "$0" "$0" >memory.stat && cd "$OLDPWD" && exec "$@"' "$files" "$@"
+}
+if group 0 true 2>/dev/null; then
+    check 'files that the system keeps are room for grains' eval 'group 400000000 "$scree" check scene.yaml >kept.txt 2>&1 || { cat kept.txt; false; }'
+    check 'and other data are not' eval '! group 0 "$scree" check scene.yaml >kept.txt 2>&1 && holds kept.txt "GiB are free"'
+else
+    skip 'room in a control group: no mounts here'
+fi
 finish

@@ -41,7 +41,7 @@ static inline uint32_t number_now(const struct keeping *keeping, uint32_t k) {
 }
 
 /* The records of one thread. */
-static void bodies_links_make(const struct keeping *keeping, int t) {
+static void links_make(const struct keeping *keeping, int t) {
     const struct pairlist *list = keeping->list;
     const struct history_part *part = &keeping->history->part[keeping->history->now][t];
     const struct pair_block *mirror = &list->blocks[list->thread_block[t + 1] - 2];
@@ -160,7 +160,7 @@ static void links_make_all(struct keeping *keeping, const struct history_link *l
     keeping->link = memory_allocate(keeping->count, sizeof *keeping->link, "kept history");
 #pragma omp parallel for schedule(static, 1)
     for (int t = 0; t < keeping->history->threads; t++)
-        bodies_links_make(keeping, t);
+        links_make(keeping, t);
     if (loose_count > 0)
         memcpy(keeping->link + records, loose, loose_count * sizeof *loose);
 }

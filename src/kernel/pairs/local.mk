@@ -8,7 +8,9 @@ libpairs_la_SOURCES = \
 	src/kernel/pairs/history_rows.c src/kernel/pairs/history_rows.h \
 	src/kernel/pairs/interaction.c src/kernel/pairs/interaction.h \
 	src/kernel/pairs/pairlist.c src/kernel/pairs/pairlist.h \
-	src/kernel/pairs/pairlist_shares.c src/kernel/pairs/pairlist_build.c src/kernel/pairs/pairlist_build.h \
+	src/kernel/pairs/pairlist_blocks.c \
+	src/kernel/pairs/pairlist_build.c src/kernel/pairs/pairlist_build.h \
+	src/kernel/pairs/pairlist_shares.c \
 	src/kernel/pairs/ring.c src/kernel/pairs/ring.h \
 	src/kernel/pairs/skin.c src/kernel/pairs/skin.h \
 	src/kernel/pairs/skin_choice.c src/kernel/pairs/skin_choice.h \

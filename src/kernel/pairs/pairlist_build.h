@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
-/* Scratch of a pair list build, for pairlist.c and pairlist_build.c alone. The scratch lives as long as the
+/* Scratch of a pair list build, for pairlist*.c and interaction.c alone. The scratch lives as long as the
  * list, so that a rebuild allocates nothing new. */
 #ifndef SCREE_PAIRS_PAIRLIST_BUILD_H
 #define SCREE_PAIRS_PAIRLIST_BUILD_H
@@ -51,6 +51,10 @@ struct pairlist_build {
     size_t block_rows;
     int blocks_capacity;
 };
+
+/* Makes the blocks of the list, in order by thread: those of its rows, then one for mirrors and one for ghosts; notes the
+ * thread of each particle. */
+void pairlist_blocks_make(struct pairlist *list, const struct index_view *view);
 
 void pair_buffer_free(struct pair_buffer *buffer);
 

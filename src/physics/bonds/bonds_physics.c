@@ -117,26 +117,15 @@ static bool rebuilt_again(const struct physics_context *context) {
     return true;
 }
 
-/* The separation from the lower id to the higher, over the image that is nearest to that of the last step, and
- * what the image adds to the relative velocity. */
+/* The separation from the lower id to the higher, over the image that is nearest to that of the last step. */
 static struct law_vector separation_of(const struct box *box, const double *lower, const double *higher,
-                                       const double *last, struct law_vector *velocity) {
-    const struct box_motion *motion = &box->motion;
-    int gradient = motion->shears ? motion->gradient : 0, image[3] = {0};
-    double apart[3], rate[3];
-    for (int d = 0; d < 3; d++)
+                                       const double *last) {
+    double apart[3];
+    for (int d = 0; d < 3; d++) {
         apart[d] = higher[d] - lower[d];
-    for (int k = 0; k < 3; k++) { /* the gradient first, whose images lie along the flow, too */
-        int d = (gradient + k) % 3;
-        image[d] = box->periodic[d] ? (int)round((last[d] - apart[d]) / box->edge[d]) : 0;
-        apart[d] += image[d] * box->edge[d];
-        rate[d] = image[d] * box->edge[d] * motion->stretch[d];
-        if (motion->shears && d == gradient)
-            apart[motion->flow] += image[d] * motion->offset;
+        if (box->periodic[d])
+            apart[d] += round((last[d] - apart[d]) / box->edge[d]) * box->edge[d];
     }
-    if (motion->shears)
-        rate[motion->flow] += image[gradient] * box->edge[gradient] * motion->shear;
-    *velocity = law_add(*velocity, 1.0, (struct law_vector){rate[0], rate[1], rate[2]});
     return (struct law_vector){apart[0], apart[1], apart[2]};
 }
 
@@ -149,7 +138,7 @@ static struct bond_motion motion_of(const struct bonds *bonds, uint32_t lower, u
     struct bond_motion m = {.velocity = {b->v[0] - a->v[0], b->v[1] - a->v[1], b->v[2] - a->v[2]},
                             .spin = {{u[0], u[1], u[2]}, {w[0], w[1], w[2]}},
                             .dt = dt};
-    m.separation = separation_of(bonds->context->box, a->x, b->x, row->separation, &m.velocity);
+    m.separation = separation_of(bonds->context->box, a->x, b->x, row->separation);
     double half = 0.5 * (a->radius + b->radius - sqrt(law_dot(m.separation, m.separation)));
     m.lever[0] = a->radius - half;
     m.lever[1] = b->radius - half;

@@ -130,10 +130,7 @@ static void restart(const struct physics_context *context, struct restart *list)
         fluid->options); /* matrices that stay keep their preconditioners, which follow from them */
     restart_add(list, RESTART_INTEGER, false, &fluid->past.steps, "fluid: steps");
     restart_add(list, RESTART_REAL, false, &fluid->past.dt, "fluid: last time step");
-    for (int d = 0; d < 3; d++)
-        restart_add(list, RESTART_REAL, true, &fluid->drive.force[d], "fluid: driving force %c", 'x' + d);
-    restart_add(list, RESTART_REAL, true, &fluid->drive.mean_before, "fluid: mean velocity before");
-    restart_add(list, RESTART_INTEGER, true, &fluid->drive.steps, "fluid: steps of the drive");
+    flow_drive_restart(&fluid->drive, fluid->options, list);
     if (grain_free(fluid->options))
         restart_add(list, RESTART_SUM, true, &fluid->work, "fluid: work on grains");
     if (fluid->scalars == NULL)

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* Walls as what grains meet beside grains: struct physics_obstacles. Read grains.h first. */
+#include "engine/trip.h"
 #include "physics/grains/grains_own.h"
 #include <math.h>
 
@@ -65,13 +66,6 @@ static void changed(const struct physics_context *context) {
     integrator_prescribe(context->particles, &grains->motion);
 }
 
-static bool all_finite(const double *value, int count) {
-    double sum = 0;
-    for (int k = 0; k < count; k++)
-        sum += value[k];
-    return isfinite(sum);
-}
-
 static void sound(const struct physics_context *context, struct error *error) {
     const struct walls *walls = grains_walls(context);
     double force[WALLS_MAX][6];
@@ -81,9 +75,9 @@ static void sound(const struct physics_context *context, struct error *error) {
     for (int w = 0; w < walls_count(walls); w++) {
         struct wall_pose pose;
         walls_pose(walls, w, &pose);
-        bool place = all_finite(pose.rotation, 9) && all_finite(pose.translation, 3) &&
-                     all_finite(pose.velocity, 3) && all_finite(pose.omega, 3);
-        if (!place || !all_finite(force[w], 6))
+        bool place = trip_finite(pose.rotation, 9) && trip_finite(pose.translation, 3) &&
+                     trip_finite(pose.velocity, 3) && trip_finite(pose.omega, 3);
+        if (!place || !trip_finite(force[w], 6))
             error_set(error, ERROR_PHYSICS, "guards.nan: %s wall '%s' is not finite at step %llu, t = %.9g",
                       place ? "the force on" : "the motion of", context->scene->wall[w].name,
                       (unsigned long long)context->clock->step, context->clock->time);

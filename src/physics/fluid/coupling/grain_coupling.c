@@ -36,31 +36,46 @@ static bool resolved(const struct physics_context *context, size_t i) {
     return kinds_of(p)[i] == KIND_GRAIN && !unresolved_is(context->options, p->state[i].radius);
 }
 
-/* True if the fluid resolves no grain of a group on this rank. */
-static bool group_unresolved(const struct physics_context *context, int number) {
-    const struct particles *p = context->particles;
-    const uint8_t *group = groups_of(p);
-    bool all = unresolved_any(context->options);
-    for (size_t k = 0; all && k < p->owned; k++)
-        all = (group ? group[k] : 0) != number || !resolved(context, k);
-    return all;
-}
-
 /* True if the grains of a group turn at most, each about its own centre: to a fluid they stay where they are. */
 static bool group_stays(const struct scene_group *group) {
     return group->motion == SCENE_FROZEN || (group->motion == SCENE_MOVING && group->velocity[0] == 0 &&
                                              group->velocity[1] == 0 && group->velocity[2] == 0);
 }
 
-/* False, with an error, if a group is to turn in a scene in which grains do not. */
-static bool spin_suits(const struct physics_context *context, const struct scene_group *group,
-                       const char *key, struct error *error) {
-    bool turns = group->motion == SCENE_MOVING &&
-                 (group->omega[0] != 0 || group->omega[1] != 0 || group->omega[2] != 0);
-    return !turns || spin_of(context->particles) != NULL ||
-           scene_fail(context->scene, error, key,
-                      "group '%s' has a spin, but grains turn only with a contact law that has friction",
-                      group->name);
+static bool group_turns(const struct scene_group *group) {
+    return group->motion == SCENE_MOVING &&
+           (group->omega[0] != 0 || group->omega[1] != 0 || group->omega[2] != 0);
+}
+
+/* False, with an error, if a grain moves, or is to turn in a scene in which grains do not. */
+static bool motion_suits(const struct physics_context *context, size_t k, struct error *error) {
+    const struct particles *p = context->particles;
+    const struct scene *scene = context->scene;
+    int number = groups_of(p) ? groups_of(p)[k] : 0;
+    const struct scene_group *group = &scene->group[number];
+    char key[64];
+    if (group_turns(group) && spin_of(p) == NULL) {
+        snprintf(key, sizeof key, "groups[%d].omega", number - 1);
+        return scene_fail(scene, error, key,
+                          "group '%s' has a spin, but grains turn only with a contact law that has friction",
+                          group->name);
+    }
+    bool given = group->motion == SCENE_MOVING && fluid_carries(context->options);
+    if (grain_free(context->options) || group_stays(group) || given || !resolved(context, k))
+        return true;
+    if (number == 0)
+        return scene_fail(scene, error, "particles",
+                          "grain %lld moves freely; allowed beside `fluid`: grains of groups with "
+                          "motion: frozen, or free "
+                          "grains with fluid.motion: lagrangian and fluid.grains: free",
+                          (long long)p->id[k]);
+    snprintf(key, sizeof key, "groups[%d].%s", number - 1,
+             group->motion == SCENE_FREE ? "motion" : "velocity");
+    return scene_fail(
+        scene, error, key,
+        "group '%s' moves; allowed beside `fluid`: groups that are frozen or only spin, and with "
+        "fluid.motion: lagrangian groups whose motion is given",
+        group->name);
 }
 
 /* Grains may not come, and may not go with a part of the surface of the fluid. */
@@ -83,33 +98,12 @@ static bool numbers_suit(const struct physics_context *context, struct error *er
     return true;
 }
 
-/* Each rank looks at its own grains. */
+/* Each rank looks at its own grains, whether their source or a selection put them into a group. */
 static bool grains_suit(const struct physics_context *context, struct error *error) {
-    const struct scene *scene = context->scene;
-    for (int k = 0; k < scene->sources; k++) {
-        int group_number = scene->source[k].group < 0 ? 0 : scene->source[k].group;
-        const struct scene_group *group = &scene->group[group_number];
-        char key[64];
-        snprintf(key, sizeof key, "particles.sources[%d].group", k);
-        bool carried = group->motion == SCENE_MOVING && fluid_carries(context->options);
-        carried = carried || grain_free(context->options) || group_unresolved(context, group_number);
-        if (scene->source[k].group >= 0 && !group_stays(group) && !carried)
-            return scene_fail(
-                scene, error, key,
-                "group '%s' moves; allowed beside `fluid`: groups that are frozen or only spin, and with "
-                "fluid.motion: lagrangian groups whose motion is given",
-                group->name);
-        if (!spin_suits(context, group, key, error))
-            return false;
-    }
     const struct particles *p = context->particles;
-    for (size_t k = 0; k < p->owned && !grain_free(context->options); k++)
-        if (p->state[k].inverse_mass > 0 && resolved(context, k))
-            return scene_fail(scene, error, "particles",
-                              "grain %lld moves freely; allowed beside `fluid`: grains of groups with "
-                              "motion: frozen, or free "
-                              "grains with fluid.motion: lagrangian and fluid.grains: free",
-                              (long long)p->id[k]);
+    for (size_t k = 0; k < p->owned; k++)
+        if (kinds_of(p)[k] == KIND_GRAIN && !motion_suits(context, k, error))
+            return false;
     return numbers_suit(context, error);
 }
 

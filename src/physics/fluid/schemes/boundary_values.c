@@ -21,6 +21,12 @@ bool boundary_values_suits(const struct physics_context *context, const char *ke
         snprintf(place, sizeof place, "%s[%d]", key, k);
         if ((at->wall >= 0) + (at->group >= 0) + (at->side >= 0) != 1)
             return scene_fail(context->scene, error, place, "needed is one of wall, group and side");
+        snprintf(place, sizeof place, "%s[%d].group", key, k);
+        if (at->group >= 0 && context->scene->group[at->group].motion == SCENE_FREE)
+            return scene_fail(
+                context->scene, error, place,
+                "beside particles that stay the fluid flows around no free grain; allowed: groups "
+                "that are frozen or only spin");
         snprintf(place, sizeof place, "%s[%d].side", key, k);
         if (at->side >= 0 && open_at(context->options, at->side) == NULL)
             return scene_fail(context->scene, error, place,

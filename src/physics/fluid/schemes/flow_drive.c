@@ -13,16 +13,12 @@ static bool has_flow(const struct fluid_options *options) {
 static bool table_read(const struct fluid_drive *drive, struct numbers *table, struct error *error) {
     if (!drive->table[0])
         return true;
-    if (!numbers_read(table, drive->table, 2, error))
+    if (!numbers_read(table, drive->table, 2, error) ||
+        !numbers_check_times(table, drive->table, "t factor", error))
         return false;
-    if (table->rows < (drive->repeat ? 2 : 1))
-        return error_set(error, ERROR_USER, "%s: needed are rows of time and factor, %s", drive->table,
-                         drive->repeat ? "two or more of a table that repeats" : "one or more");
-    for (size_t row = 1; row < table->rows; row++)
-        if (!(table->value[2 * row] > table->value[2 * row - 2]))
-            return error_set(error, ERROR_USER, "%s:%u: time %g does not increase (%g before)", drive->table,
-                             table->line[row], table->value[2 * row], table->value[2 * row - 2]);
-    return true;
+    return !drive->repeat || table->rows > 1 ||
+           error_set(error, ERROR_USER, "%s: a table that repeats needs two or more rows of t factor",
+                     drive->table);
 }
 
 /* True if the table goes with the other keys, and is one. */
@@ -61,21 +57,14 @@ bool flow_drive_suits(const struct physics_context *context, struct error *error
 }
 
 double flow_drive_factor(const struct numbers *table, bool repeat, double time) {
-    const double *value = table->value;
-    size_t rows = table->rows, low = 0;
-    if (rows == 0)
-        return 1;
-    double first = value[0], last = value[2 * rows - 2];
+    double factor = 1;
+    if (table->rows == 0)
+        return factor;
+    double first = table->value[0], period = table->value[2 * table->rows - 2] - first;
     if (repeat)
-        time -= (last - first) * floor((time - first) / (last - first));
-    if (time <= first || time >= last)
-        return time <= first ? value[1] : value[2 * rows - 1];
-    for (size_t high = rows - 1; high - low > 1;) {
-        size_t middle = (low + high) / 2;
-        *(value[2 * middle] <= time ? &low : &high) = middle;
-    }
-    const double *at = value + 2 * low;
-    return at[1] + (at[3] - at[1]) * (time - at[0]) / (at[2] - at[0]);
+        time -= period * floor((time - first) / period);
+    numbers_at(table, time, &factor);
+    return factor;
 }
 
 /* The force that the scene gives, at a time. */
@@ -97,6 +86,15 @@ struct drive flow_drive_begin(const struct fluid_options *options, const struct 
     if (has_flow(options) && options->time == FLUID_STEADY)
         drive.force[options->drive.axis] = options->viscosity / (options->spacing * options->spacing);
     return drive;
+}
+
+void flow_drive_restart(struct drive *drive, const struct fluid_options *options, struct restart *list) {
+    if (!has_flow(options) && !options->drive.table[0] && options->time != FLUID_STEADY)
+        return;
+    for (int d = 0; d < 3; d++)
+        restart_add(list, RESTART_REAL, true, &drive->force[d], "fluid: driving force %c", 'x' + d);
+    restart_add(list, RESTART_REAL, true, &drive->mean_before, "fluid: mean velocity before");
+    restart_add(list, RESTART_INTEGER, true, &drive->steps, "fluid: steps of the drive");
 }
 
 void flow_drive_free(struct drive *drive) {

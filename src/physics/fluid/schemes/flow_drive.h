@@ -28,6 +28,9 @@ struct drive flow_drive_begin(const struct fluid_options *options, const struct 
                               struct error *error);
 void flow_drive_free(struct drive *drive);
 
+/* The numbers of a restart: none where the scene alone says the force, which may then change at a resume. */
+void flow_drive_restart(struct drive *drive, const struct fluid_options *options, struct restart *list);
+
 /* The force of the next step. With a table that of a time. With a given mass flow half of what would bring the mean velocity to its goal in
  * one step if the resistance stayed as in the last one. Else nothing changes. Collective. */
 void flow_drive_adjust(struct drive *drive, const struct fluid_options *options, const struct box *box,

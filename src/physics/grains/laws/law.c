@@ -193,6 +193,7 @@ static void law_fill(struct law *law, const struct law_material *material, const
     law->extra[there] = law->extra[back] = pair->extra;
     law->sticky[there] = law->sticky[back] =
         law_sticky_of(law->options.cohesion, &law->pair[there], &pair->extra);
+    law_sticky_widen(&law->farthest, &law->sticky[there]);
 }
 
 static bool law_is_uniform(const struct law *law) {

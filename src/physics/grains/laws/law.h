@@ -79,8 +79,9 @@ struct law {
     bool moduli;   /* springs come from young and poisson of the materials */
     /* By two materials (law_place_of), symmetric; one entry without materials. Owned */
     struct law_coefficients *pair;
-    struct law_extra *extra;   /* of a law with parts */
-    struct law_sticky *sticky; /* of a law with cohesion */
+    struct law_extra *extra;    /* of a law with parts */
+    struct law_sticky *sticky;  /* of a law with cohesion */
+    struct law_sticky farthest; /* what decides on ranges, the largest of all pairs (law_sticky_widen) */
     struct law_memory memory;
     int history_components; /* doubles of history a contact */
     int history_odd;        /* as many of them are components of vectors */
@@ -114,8 +115,11 @@ double law_impact_of(const struct law_options *options, const struct law_coeffic
 double law_duration_of(const struct law_options *options, const struct law_coefficients *c,
                        const struct law_extra *extra, double mass, double radius, double overlap);
 
-/* The largest gap at which spheres of these radii interact, for any two materials; a wall has an infinite
- * radius. Without materials -INFINITY. Any thread. */
+/* The largest gap at which spheres of these materials and radii interact, 0 or more; a wall has an infinite radius. Any
+ * thread. */
+double law_range_of(const struct law *law, int a, int b, double radius_a, double radius_b);
+
+/* The same for any two materials: the largest. Without materials -INFINITY. Any thread. */
 double law_range(const struct law *law, double radius_a, double radius_b);
 
 /* Makes the tables of coefficients from the entries of a <= b in `pair` (materials x materials, law_place_of). Fails (user)

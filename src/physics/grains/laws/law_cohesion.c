@@ -58,12 +58,16 @@ struct law_pull law_cohesion_pull(enum law_cohesion cohesion, const struct law_s
     return pull;
 }
 
+/* The range of surfaces with these numbers; it grows with each. */
+static double range_of(const struct law_options *options, const struct law_sticky *sticky, double effective) {
+    if (options->cohesion == LAW_COHESION_JKR)
+        return law_jkr_end_gap(sticky->length, effective, options->jkr_end);
+    return law_pull_range(options->cohesion, sticky, effective);
+}
+
 double law_cohesion_range(const struct law_options *options, const struct law_surfaces *s) {
     struct law_sticky sticky = law_sticky_of(options->cohesion, s->c, s->extra);
-    if (options->cohesion == LAW_COHESION_JKR)
-        return -law_jkr_end_overlap(law_modulus(s->c), s->extra->surface_energy, s->effective,
-                                    options->jkr_end);
-    return law_pull_range(options->cohesion, &sticky, s->effective);
+    return range_of(options, &sticky, s->effective);
 }
 
 double law_cohesion_largest(enum law_cohesion cohesion, const struct law_surfaces *s) {
@@ -71,22 +75,12 @@ double law_cohesion_largest(enum law_cohesion cohesion, const struct law_surface
     return cohesion == LAW_COHESION_JKR ? 3.0 * scale : cohesion == LAW_COHESION_DMT ? 4.0 * scale : 0.0;
 }
 
-/* The range of a pair of materials. */
-static double law_pair_range(const struct law *law, int a, int b, double radius_a, double radius_b) {
-    const struct law_form *form = law_form_of(&law->options);
-    double effective = 1.0 / (1.0 / radius_a + 1.0 / radius_b);
-    struct law_surfaces surfaces = {
-        law_pair_of(law, a, b), law_extra_of(law, a, b), {radius_a, radius_b}, effective};
-    double range = form->range ? form->range(law_pair_of(law, a, b), radius_a, radius_b) : 0.0;
-    return fmax(range, law_cohesion_range(&law->options, &surfaces));
+double law_range_of(const struct law *law, int a, int b, double radius_a, double radius_b) {
+    return range_of(&law->options, law_sticky_at(law, a, b), 1.0 / (1.0 / radius_a + 1.0 / radius_b));
 }
 
 double law_range(const struct law *law, double radius_a, double radius_b) {
-    double most = law->materials ? 0.0 : -INFINITY;
-    if (law->options.cohesion == LAW_COHESION_NONE && law_form_of(&law->options)->range == NULL)
-        return most;
-    for (int a = 0; a < law->materials; a++)
-        for (int b = 0; b <= a; b++)
-            most = fmax(most, law_pair_range(law, a, b, radius_a, radius_b));
-    return most;
+    if (law->materials == 0)
+        return -INFINITY;
+    return range_of(&law->options, &law->farthest, 1.0 / (1.0 / radius_a + 1.0 / radius_b));
 }

@@ -23,13 +23,13 @@ struct law_pull {
 };
 
 /* Of a bridge between surfaces with r = 2 R*: its volume, and the gap at which the bridge breaks, (1 + theta/2) V^(1/3)
- * (Lian, Thornton and Adams 1993). */
+ * (Lian, Thornton and Adams 1993). The volume of a pair is given, or is a share: the other is 0. */
 LAW_INLINE double law_bridge_volume(const struct law_sticky *sticky, double r) {
     return sticky->volume + sticky->volume_share * (r * r * r);
 }
 
 LAW_INLINE double law_bridge_rupture(const struct law_sticky *sticky, double r) {
-    return sticky->rupture + sticky->rupture_share * r;
+    return law_most(sticky->rupture, sticky->rupture_share * r);
 }
 
 /* Derjaguin, Muller and Toporov (1975): 2 pi W R*, W = 2 gamma, while the spheres touch. */

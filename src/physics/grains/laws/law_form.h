@@ -127,9 +127,6 @@ struct law_form {
     /* Laws with moduli: k_n and k_t from Young's modulus and Poisson's ratio of both materials. NULL: k_n and
      * k_t are those of the pair. */
     void (*moduli)(const struct law_material *a, const struct law_material *b, struct law_coefficients *c);
-    /* The largest gap at which two spheres of these radii interact, length; monotonic in each radius. NULL:
-     * no interaction without touch. */
-    double (*range)(const struct law_coefficients *c, double radius_a, double radius_b);
     /* A law with hysteresis: the springs at an overlap; updates the numbers that a contact remembers, `past`, of
      * which there are `remembers`, all 0 for a new contact; the first is the largest overlap. Contacts then go
      * through the general loop. NULL: the law remembers nothing. */

@@ -62,22 +62,25 @@ LAW_INLINE struct law_jkr law_jkr_at(double modulus, double gamma, double radius
     return law_jkr_state(modulus, law_jkr_length(modulus, gamma), radius, sqrt(a));
 }
 
-/* The contact radius at the end of a contact that is pulled apart, and the overlap there, which is negative. */
+/* The contact radius at the end of a contact that is pulled apart. */
 LAW_INLINE double law_jkr_end_radius(double modulus, double gamma, double radius, enum law_jkr_end end) {
     double cube = 0.25 * M_PI * gamma * radius * radius / modulus;
     return law_cbrt(end == LAW_JKR_END_FORCE ? 9.0 * cube : cube);
 }
 
-LAW_INLINE double law_jkr_end_overlap(double modulus, double gamma, double radius, enum law_jkr_end end) {
-    double a = law_jkr_end_radius(modulus, gamma, radius, end);
-    return -a * a / radius * (end == LAW_JKR_END_FORCE ? 1.0 / 3.0 : 3.0);
+/* The gap at the end of a contact that is pulled apart, as a cube and as a length. */
+LAW_INLINE double law_jkr_end_cube(double s, double radius, enum law_jkr_end end) {
+    double square = s * s;
+    return (end == LAW_JKR_END_FORCE ? 3.0 : 27.0) / 256.0 * (square * square) * radius;
 }
 
-/* True where a contact that is pulled apart still holds: overlap > law_jkr_end_overlap, without a root. */
+LAW_INLINE double law_jkr_end_gap(double s, double radius, enum law_jkr_end end) {
+    return law_cbrt(law_jkr_end_cube(s, radius, end));
+}
+
+/* True where a contact that is pulled apart still holds: -overlap < law_jkr_end_gap, without a root. */
 LAW_INLINE bool law_jkr_holds(double s, double radius, double overlap, enum law_jkr_end end) {
-    double square = s * s,
-           limit = (end == LAW_JKR_END_FORCE ? 3.0 : 27.0) / 256.0 * (square * square) * radius;
-    return -overlap * overlap * overlap < limit;
+    return -overlap * overlap * overlap < law_jkr_end_cube(s, radius, end);
 }
 
 #endif

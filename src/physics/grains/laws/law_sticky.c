@@ -2,6 +2,7 @@
 /* Read law_sticky.h first. */
 #include "physics/grains/laws/law_sticky.h"
 #include "physics/grains/laws/law_jkr.h"
+#include <math.h>
 
 struct law_sticky law_sticky_of(enum law_cohesion cohesion, const struct law_coefficients *c,
                                 const struct law_extra *extra) {
@@ -25,4 +26,13 @@ struct law_sticky law_sticky_of(enum law_cohesion cohesion, const struct law_coe
     sticky.rupture = reach * cbrt(sticky.volume);
     sticky.rupture_share = reach * cbrt(sticky.volume_share);
     return sticky;
+}
+
+void law_sticky_widen(struct law_sticky *most, const struct law_sticky *pair) {
+    most->length = fmax(most->length, pair->length);
+    most->rupture = fmax(most->rupture, pair->rupture);
+    most->rupture_share = fmax(most->rupture_share, pair->rupture_share);
+    if (pair->hamaker > 0.0)
+        most->cut_off = fmax(most->cut_off, pair->cut_off);
+    most->hamaker = fmax(most->hamaker, pair->hamaker);
 }

@@ -19,4 +19,8 @@ struct law_sticky {
 struct law_sticky law_sticky_of(enum law_cohesion cohesion, const struct law_coefficients *c,
                                 const struct law_extra *extra);
 
+/* Raises the numbers of `most` on which a range depends to those of a pair of materials: then no such pair reaches farther,
+ * at any radii (law_range). Any thread. */
+void law_sticky_widen(struct law_sticky *most, const struct law_sticky *pair);
+
 #endif

@@ -234,6 +234,13 @@ static void wall_find_base(struct wall *wall, double t) {
     wall->resumed = false;
 }
 
+/* Sets the twists of a wall and of its surface in a step from t on. */
+static void set_twists(struct wall *wall, double t, double dt, double servo_offset) {
+    wall->twist = wall_mover_twist(wall->mover, t, dt, servo_offset, wall->servo_speed);
+    if (wall->slides)
+        wall->surface = wall_mover_surface(wall->mover, t, dt, servo_offset);
+}
+
 void walls_advance(struct walls *walls, double t, double dt, const struct wall_push *push) {
     for (int w = 0; w < walls->count; w++) {
         struct wall *wall = &walls->wall[w];
@@ -242,9 +249,7 @@ void walls_advance(struct walls *walls, double t, double dt, const struct wall_p
         if (wall->resumed)
             wall_find_base(wall, t);
         wall->servo_speed = push ? wall_mover_servo_follow(wall->mover, t, &push[w], wall->servo_speed) : 0.0;
-        double half = wall->servo_offset + 0.5 * dt * wall->servo_speed;
-        wall->twist = wall_mover_twist(wall->mover, t, dt, half, wall->servo_speed);
-        wall->surface = wall_mover_surface(wall->mover, t, dt, half);
+        set_twists(wall, t, dt, wall->servo_offset + 0.5 * dt * wall->servo_speed);
         wall->servo_offset += dt * wall->servo_speed;
         wall_place(wall, t + dt);
     }
@@ -252,12 +257,7 @@ void walls_advance(struct walls *walls, double t, double dt, const struct wall_p
 
 void walls_at_end(struct walls *walls, double t, double dt) {
     double moment = 1e-4 * dt;
-    for (int w = 0; w < walls->count; w++) {
-        struct wall *wall = &walls->wall[w];
-        if (wall->options.motions == 0)
-            continue;
-        wall->twist =
-            wall_mover_twist(wall->mover, t - moment, moment, wall->servo_offset, wall->servo_speed);
-        wall->surface = wall_mover_surface(wall->mover, t - moment, moment, wall->servo_offset);
-    }
+    for (int w = 0; w < walls->count; w++)
+        if (walls->wall[w].options.motions > 0)
+            set_twists(&walls->wall[w], t - moment, moment, walls->wall[w].servo_offset);
 }

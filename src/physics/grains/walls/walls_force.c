@@ -314,23 +314,13 @@ static void flush(struct wall_task *task) {
     b->walk.count = 0;
 }
 
-/* Finds the contacts of candidate k, which reaches as far as `radius`, with the wall of the pieces from `first`
- * on, in scratch; sets *last to the end of those pieces. */
-static size_t find_contacts(const struct walls *walls, size_t k, size_t first, size_t *last,
-                            struct law_vector x, double radius, struct wall_scratch *scratch) {
-    int w = walls->piece[first].wall;
-    *last = first + 1;
-    while (*last < walls->first[k + 1] && walls->piece[*last].wall == w)
-        ++*last;
-    size_t count = walls_touch(walls, walls->piece + first, *last - first, x, radius, scratch);
-    if (count > 1 && walls->wall[w].image_count > 1)
-        walls_sort_images(scratch->touch, count);
-    if (walls->law->history_components > 0 && count > 0)
-        walls_recall(walls, k, w, count, x, radius, scratch);
-    else
-        for (size_t c = 0; c < count; c++)
-            scratch->from[c] = -1;
-    return count;
+/* How far from its centre the task's particle feels a wall. */
+static double reach_of(const struct wall_task *task, int w, double radius) {
+    const struct law *law = task->context->law;
+    int material = material_of(task->material, task->particle);
+    return radius + (law->general ? law_range_of(law, material, task->walls->wall[w].options.material, radius,
+                                                 INFINITY)
+                                  : 0.0);
 }
 
 /* Collects the contacts of the task's particle. */
@@ -339,12 +329,11 @@ static void take_particle(struct wall_task *task) {
     struct wall_scratch *scratch = task->scratch;
     const struct particle_state *state = &task->context->particles->state[task->particle];
     size_t k = task->candidate, last;
-    const struct law *law = task->context->law;
-    double reach = state->radius + (law->general ? law_range(law, state->radius, INFINITY) : 0.0);
     bool fixed = walls->fixed_too && walls_at_rest(task->context->particles, task->particle);
     for (size_t first = walls->first[k]; first < walls->first[k + 1]; first = last) {
         int w = walls->piece[first].wall;
-        size_t count = find_contacts(walls, k, first, &last, wall_vector(state->x), reach, scratch);
+        size_t count = walls_find(walls, k, first, &last, wall_vector(state->x),
+                                  reach_of(task, w, state->radius), scratch);
         if (fixed && walls->wall[w].options.motions == 0)
             continue;
         for (size_t c = 0; c < count; c++) {

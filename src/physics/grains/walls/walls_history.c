@@ -44,7 +44,9 @@ static int32_t find_vanished(const struct walls *walls, size_t k, int w, const s
     return found;
 }
 
-void walls_sort_images(struct wall_touch *touch, size_t count) {
+/* Sorts contacts with one feature through several images of its wall by image, each among the places that
+ * they have. A wrapped particle changes the images, not their order. */
+static void sort_images(struct wall_touch *touch, size_t count) {
     for (size_t a = 0; a + 1 < count; a++)
         for (size_t b = a + 1; b < count; b++)
             if (touch[a].feature == touch[b].feature &&
@@ -74,8 +76,9 @@ static size_t recall_feature(const struct wall_key *key, size_t records, int w, 
     return found;
 }
 
-void walls_recall(const struct walls *walls, size_t k, int w, size_t count, struct law_vector x,
-                  double radius, struct wall_scratch *scratch) {
+/* Finds the old records of the `count` contacts with wall w. */
+static void recall(const struct walls *walls, size_t k, int w, size_t count, struct law_vector x,
+                   double radius, struct wall_scratch *scratch) {
     const struct wall_records *old = &walls->records[walls->now];
     const struct wall_key *key = old->key + walls->first[k];
     size_t records = (size_t)old->count[k];
@@ -96,6 +99,23 @@ void walls_recall(const struct walls *walls, size_t k, int w, size_t count, stru
         if (r >= 0)
             scratch->taken[r] = 1;
     }
+}
+
+size_t walls_find(const struct walls *walls, size_t k, size_t first, size_t *last, struct law_vector x,
+                  double radius, struct wall_scratch *scratch) {
+    int w = walls->piece[first].wall;
+    *last = first + 1;
+    while (*last < walls->first[k + 1] && walls->piece[*last].wall == w)
+        ++*last;
+    size_t count = walls_touch(walls, walls->piece + first, *last - first, x, radius, scratch);
+    if (count > 1 && walls->wall[w].image_count > 1)
+        sort_images(scratch->touch, count);
+    if (walls->law->history_components > 0 && count > 0)
+        recall(walls, k, w, count, x, radius, scratch);
+    else
+        for (size_t c = 0; c < count; c++)
+            scratch->from[c] = -1;
+    return count;
 }
 
 void walls_detach(struct walls *walls, const struct particles *particles, struct history_rows *rows) {

@@ -2,7 +2,6 @@
 /* Calls for each particle that touches a wall, or is near one, without the forces of a law. Read wall.h first. */
 #include "physics/grains/walls/walls_history.h"
 #include "physics/grains/walls/walls_parts.h"
-#include "physics/grains/walls/walls_touch.h"
 
 void walls_visit_fixed(struct walls *walls) {
     walls->fixed_too = true;
@@ -37,21 +36,14 @@ void walls_visit(const struct walls *walls, const struct particles *particles, i
     size_t components = (size_t)walls->law->history_components;
     for (size_t k = first; k < end; k++) {
         const struct particle_state *state = &particles->state[walls->particle[k]];
-        double radius = state->radius + range;
         for (size_t piece = walls->first[k], next; piece < walls->first[k + 1]; piece = next) {
             int w = walls->piece[piece].wall;
-            for (next = piece + 1; next < walls->first[k + 1] && walls->piece[next].wall == w;)
-                next++;
-            size_t count = walls_touch(walls, walls->piece + piece, next - piece, wall_vector(state->x),
-                                       radius, scratch);
-            if (count > 1 && walls->wall[w].image_count > 1)
-                walls_sort_images(scratch->touch, count);
-            if (components > 0 && count > 0)
-                walls_recall(walls, k, w, count, wall_vector(state->x), radius, scratch);
+            size_t count =
+                walls_find(walls, k, piece, &next, wall_vector(state->x), state->radius + range, scratch);
             for (size_t c = 0; c < count; c++) {
                 struct wall_place place = place_of(walls, w, &scratch->touch[c], state);
                 place.particle = walls->particle[k];
-                if (components > 0 && scratch->from[c] >= 0)
+                if (scratch->from[c] >= 0)
                     place.record = old->value + (walls->first[k] + (size_t)scratch->from[c]) * components;
                 visitor(context, &place);
             }
