@@ -2,6 +2,7 @@
 /* Hard contacts as a physics (engine/physics.h): the one file that joins the solver to the engine. Read hard.h first. */
 #include "base/memory.h"
 #include "physics/grains/grains.h"
+#include "engine/report_part.h"
 #include "physics/hard/hard_state.h"
 #include "kernel/particles/kinds.h"
 #include "kernel/particles/material.h"
@@ -315,15 +316,15 @@ static void resume(const struct physics_context *context, struct checkpoint_load
     hard_contacts_rename(&loaded->carried[PHYSICS_hard], now, loaded->walls, context->particles->owned);
 }
 
-static void report(const struct physics_context *context, struct report *report) {
+static void report(const struct physics_context *context, struct report_part *part) {
     const struct hard *hard = context->self;
-    report->solver[report->solvers++] = (struct report_solver){.name = "contacts",
-                                                               .rows = hard->last.rows,
-                                                               .solves = hard->solves,
-                                                               .iterations = hard->sweeps,
-                                                               .doubtful = hard->unmet,
-                                                               .residual = hard->last.residual,
-                                                               .residual_worst = hard->worst};
+    part->solver[part->solvers++] = (struct report_solver){.name = "contacts",
+                                                           .rows = hard->last.rows,
+                                                           .solves = hard->solves,
+                                                           .iterations = hard->sweeps,
+                                                           .doubtful = hard->unmet,
+                                                           .residual = hard->last.residual,
+                                                           .residual_worst = hard->worst};
 }
 
 /* Prints what the springs of rigid contacts cost: the speed of news, and an overlap; and says if that is too much. */
