@@ -37,6 +37,8 @@ libformats_la_SOURCES = \
 	src/data/formats/h5md.h \
 	src/data/formats/h5md_contacts.c \
 	src/data/formats/h5md_contacts.h \
+	src/data/formats/h5md_element.c \
+	src/data/formats/h5md_element.h \
 	src/data/formats/h5md_file.c \
 	src/data/formats/h5md_file.h \
 	src/data/formats/h5md_frame.c \
