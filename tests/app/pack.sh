@@ -172,8 +172,8 @@ check "count, fraction and size" refused "two decide the third" power new.data s
 check "settling without walls" refused "settle=yes needs walls" power new.data box=20 fraction=0.3 settle=yes walls=periodic
 check "friction of spheres that do not settle" refused "friction= goes with settle=yes" power new.data friction=0.3
 check "published systems do not settle" refused "no key of the law" bidisperse new.data settle=yes
-check "too many for it" refused "times that of the container" power new.data shape=sphere radius=20 count=5000
-check "too large a container" refused "more than 134 million" power new.data shape=sphere radius=1e6
+check "too many for it" refused "times that of the region" power new.data shape=sphere radius=20 count=5000
+check "too large a container" refused "fewer than 134217728" power new.data shape=sphere radius=1e6
 check "a mesh that is not there" refused "nix.stl" power new.data shape=mesh file=nix.stl
 printf '0 0 0 1 0 0 0 1 0\n' >open.txt
 check "an open mesh" refused "no closed surface" power new.data shape=mesh file=open.txt
