@@ -2,7 +2,7 @@
 /* Derives the data of the modules from the values read: the box, sides, pairs of materials, unit vectors,
  * defaults that depend on other keys. */
 #include "data/scene/finish.h"
-#include "data/scene/packed.h"
+#include "data/scene/packed_radii.h"
 #include "data/scene/scene_files.h"
 #include "data/scene/scene_stage.h"
 

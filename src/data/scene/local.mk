@@ -23,12 +23,14 @@ libscene_la_SOURCES = \
 	src/data/scene/pack/relax.h \
 	src/data/scene/packed.c \
 	src/data/scene/packed.h \
-	src/data/scene/packing.c \
-	src/data/scene/packing.h \
+	src/data/scene/packed_radii.c \
+	src/data/scene/packed_radii.h \
 	src/data/scene/placegrid.c \
 	src/data/scene/placegrid.h \
 	src/data/scene/region.c \
 	src/data/scene/region.h \
+	src/data/scene/scatter.c \
+	src/data/scene/scatter.h \
 	src/data/scene/scene.c \
 	src/data/scene/scene.h \
 	src/data/scene/scene_check.c \

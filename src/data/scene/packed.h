@@ -7,9 +7,6 @@
 #include "data/scene/scene_share.h"
 #include "data/scene/source_batch.h"
 
-/* The largest over the smallest radius of a source. */
-enum { PACKED_RATIO_MAX = 1000 };
-
 /* How the packing of a scene went. */
 struct packed_report {
     int sweeps;     /* in all */
@@ -26,8 +23,5 @@ struct packed_report {
  * Opens its own thread teams. */
 bool packed_make(const struct scene *scene, const struct scene_share *share, struct source_batch *batch,
                  struct error *error);
-
-/* The edge of the cube (square) that has the volume fraction of a packed source with its count of spheres; 0: error filled. One thread. */
-double packed_edge(const struct scene *scene, int source, struct error *error);
 
 #endif

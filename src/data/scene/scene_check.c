@@ -2,7 +2,7 @@
 /* Combinations of keys that cannot be: each is refused with its place before anything runs. */
 #include "data/scene/scene_check.h"
 #include "data/scene/mistakes.h"
-#include "data/scene/packed.h"
+#include "data/scene/packed_radii.h"
 #include "data/scene/scene_check_box.h"
 #include "data/scene/scene_check_output.h"
 #include "data/scene/scene_check_walls.h"

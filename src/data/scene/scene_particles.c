@@ -14,7 +14,7 @@
 #include "kernel/particles/groups.h"
 #include "data/scene/lattice.h"
 #include "data/scene/packed.h"
-#include "data/scene/packing.h"
+#include "data/scene/scatter.h"
 #include "data/scene/source_ids.h"
 #include "data/scene/table.h"
 #include "data/scene/unique.h"
@@ -289,7 +289,7 @@ static bool place_random(const struct walk *walk, struct source_batch *batch, do
                 !source_sphere_left_out(&scene->source[s], &sphere))
                 placegrid_add(grid, x, sphere.radius);
         }
-    bool good = packing_make(scene, walk->share, grid, batch, walk->error);
+    bool good = scatter_make(scene, walk->share, grid, batch, walk->error);
     placegrid_destroy(&grid);
     return good;
 }

@@ -12,6 +12,16 @@ enum { PLACES_MOST = 20000, MISSES_MOST = 20 };
 /* Parts of a move that a sphere tries where a wall stands in its way. */
 static const double steps[] = {1, 0.5, 0.125};
 
+struct pile pile_create(const struct box *box, double smallest) {
+    return (struct pile){
+        .box = box, .particles = particles_create(0), .still = placegrid_create(box, smallest)};
+}
+
+void pile_free(struct pile *pile) {
+    particles_destroy(&pile->particles);
+    placegrid_destroy(&pile->still);
+}
+
 void pile_add(struct pile *pile, int64_t id, double radius) {
     size_t k = particles_append(pile->particles);
     pile->particles->id[k] = id;
@@ -26,6 +36,7 @@ void pile_add_still(struct pile *pile, const double x[3], double radius) {
     state->radius = radius;
     state->inverse_mass = 0;
     pile->particles->id[k] = 0;
+    placegrid_add(pile->still, x, radius);
 }
 
 static const struct pile_part *part_of(const struct pile *pile, size_t k) {
@@ -67,7 +78,7 @@ static bool place_one(const struct pile *pile, size_t k) {
             continue;
         }
         take_place(pile->box, user, state->x);
-        if (is_clear(pile, state->x, room))
+        if (is_clear(pile, state->x, room) && !placegrid_touches(pile->still, state->x, state->radius))
             return true;
     }
     return false;

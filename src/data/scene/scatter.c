@@ -4,7 +4,7 @@
  * depends on seed and scene alone. Without moves of placed spheres the density is bounded: equal spheres end
  * at 0.382 of the volume, equal discs at 0.547 of the area (Feder 1980), and the last percents take very
  * long; wide size laws reach more. */
-#include "data/scene/packing.h"
+#include "data/scene/scatter.h"
 
 #include "base/memory.h"
 #include "data/scene/source_radii.h"
@@ -168,7 +168,7 @@ static bool place_one(struct placing *p, const struct draw *draw, struct source_
     return true;
 }
 
-bool packing_make(const struct scene *scene, const struct scene_share *share, struct placegrid *grid,
+bool scatter_make(const struct scene *scene, const struct scene_share *share, struct placegrid *grid,
                   struct source_batch *batch, struct error *error) {
     struct placing *placing = memory_allocate_zero((size_t)scene->sources, sizeof(*placing), "sources");
     struct order order = {0};
