@@ -2,6 +2,7 @@
 /* Derives the data of the modules from the values read: the box, sides, pairs of materials, unit vectors,
  * defaults that depend on other keys. */
 #include "data/scene/finish.h"
+#include "data/scene/packed_radii.h"
 #include "data/scene/scene_files.h"
 #include "data/scene/scene_stage.h"
 
@@ -37,9 +38,24 @@ static bool unit_vector(const struct scene *scene, double v[3], struct error *er
     return normalise(v) || scene_fail(scene, error, key, "[%g, %g, %g] has no direction", v[0], v[1], v[2]);
 }
 
+/* The cube (square) from the origin in which the spheres of a packed source have the wanted volume fraction. */
+static bool box_from_packing(struct scene *scene, struct error *error) {
+    struct source_options *source = scene->source;
+    double edge = packed_edge(scene, 0, error);
+    for (int d = 0; d < 3; d++) {
+        scene->box_lower[d] = 0;
+        scene->box_upper[d] = d < scene->box.dimension ? edge : 0;
+    }
+    source->volume_fraction = 0; /* the box has it now */
+    return edge > 0;
+}
+
 /* The box of the first source's file; the periodic directions of the scene stay. */
 static bool box_from_file(struct scene *scene, struct error *error) {
     const struct source_options *source = scene->source;
+    if (scene->sources > 0 && source->kind == SOURCE_PACKED && source->count > 0 &&
+        source->volume_fraction > 0 && source->region.shape == REGION_ALL)
+        return box_from_packing(scene, error);
     if (scene->sources == 0 || source->kind != SOURCE_FILE || source->format == SOURCE_TABLE)
         return scene_fail(scene, error, "box.lower", "is missing; needed: three numbers [x, y, z], in m");
     if (!scene_files_open(scene, error))
@@ -418,9 +434,9 @@ static bool finish_fields(struct scene *scene, struct error *error) {
 }
 
 bool finish_scene(struct scene *scene, struct error *error) {
-    if (!finish_materials(scene, error) || !finish_box(scene, error) || !finish_pairs(scene, error) ||
-        !finish_walls(scene, error) || !finish_groups(scene, error) || !finish_sources(scene, error) ||
-        !scene_files_sizes(scene, error) || !finish_fields(scene, error))
+    if (!finish_materials(scene, error) || !scene_files_sizes(scene, error) || !finish_box(scene, error) ||
+        !finish_pairs(scene, error) || !finish_walls(scene, error) || !finish_groups(scene, error) ||
+        !finish_sources(scene, error) || !finish_fields(scene, error))
         return false;
     finish_step(scene);
     scene_stages_finish(scene);

@@ -6,7 +6,8 @@
  * / (r_i + r_j))^2. A particle moves by 2 (sum of k times distance) / (2 max(largest k, sum of k / 3)). So
  * two particles of a single contact end as far apart as they overlapped, a particle in a shell of small ones
  * moves as a whole, and two large ones part as fast as two small ones. Because of the gap the overlaps proper
- * end after finitely many sweeps. A hard wall puts a particle back to the place of first touch.
+ * end after finitely many sweeps. The region puts a particle back to the place of first touch.
+ * A particle that stays pushes as one that moves, and its partner goes the whole way.
  *
  * Pushes are summed as whole numbers, and both sides of a pair round alike. So the sums, and with them every
  * position, are the same bits for any number of threads and any order in memory. */
@@ -14,7 +15,7 @@
 #define SCREE_PACK_RELAX_H
 
 #include "base/error.h"
-#include "front/pack/container.h"
+#include "data/scene/pack/pile.h"
 
 /* State of a relaxation. */
 struct relax_state {
@@ -32,12 +33,11 @@ struct relax_options {
     void *context;
 };
 
-/* Relaxes the particles. All particles lie in the container, whose hard walls must be farther apart
- * than the largest particle is wide; in periodic directions the box must be wider than 1.25 times the diameter of the
- * largest particle. The largest radius may be 1000 times the smallest. The order of the particles changes.
- * Fails (user) if `sweeps` sweeps leave larger overlaps. `state` is that of the end: its overlap comes from a
- * new search. Opens its own thread team. */
-bool relax_run(struct particles *particles, const struct pack_container *container,
-               const struct relax_options *options, struct relax_state *state, struct error *error);
+/* Relaxes the spheres of a pile, each of which lies in its region. Regions must be wider than the largest sphere; in periodic
+ * directions the box must be wider than 1.25 times the diameter of the largest sphere. The largest radius may be 1000 times the smallest. The
+ * order of the spheres changes. Overlaps of two spheres that stay do not count. Fails (user) if `sweeps` sweeps leave larger overlaps. `state`
+ * is that of the end: its overlap comes from a new search. Opens its own thread team. */
+bool relax_run(const struct pile *pile, const struct relax_options *options, struct relax_state *state,
+               struct error *error);
 
 #endif

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* One sweep: the pushes of all pairs, then the moves. Read push.h and relax.h first. */
-#include "front/pack/push.h"
+#include "data/scene/pack/push.h"
 
 #include "base/memory.h"
 
@@ -43,6 +43,8 @@ static inline bool pair_pushes(const struct pushes *pushes, const struct particl
                                const struct particle_state *j, const double *shift, struct pair_push *pair) {
     double d[3] = {j->x[0] - i->x[0] + shift[0], j->x[1] - i->x[1] + shift[1], j->x[2] - i->x[2] + shift[2]};
     double square = d[0] * d[0] + d[1] * d[1] + d[2] * d[2];
+    if (i->inverse_mass + j->inverse_mass == 0)
+        return false;
     double sum = i->radius + j->radius, touch = sum * (1 + pushes->gap);
     if (square >= touch * touch)
         return false;
@@ -115,17 +117,19 @@ double push_all(struct pushes *pushes, const struct pack_search *search) {
     return largest;
 }
 
-/* Moves one particle and returns the square of its displacement. Walls act, too: a wall may move a particle
- * that no other one pushes, after the particle has grown. */
-static double move_one(const struct pushes *pushes, const struct pack_container *container,
-                       struct particle_state *state, const struct push_sum *sum, double factor) {
-    double square = 0, room = state->radius * (1 + pushes->gap);
+/* Moves one particle and returns the square of its displacement. The region acts, too: it may move a particle
+ * that no other one pushes. */
+static double move_one(const struct pushes *pushes, const struct pile *pile, size_t k,
+                       const struct push_sum *sum, double factor) {
+    struct particle_state *state = &pile->particles->state[k];
     double stiffness = 2 * fmax((double)sum->stiffest, (double)sum->stiffness / 3);
     double step = stiffness > 0 ? factor * pushes->smallest / stiffness : 0;
-    double x[3];
+    double square = 0, x[3];
+    if (state->inverse_mass == 0)
+        return 0;
     for (int c = 0; c < 3; c++)
         x[c] = state->x[c] + step * (double)sum->push[c];
-    container_hold(container, state->x, room, x);
+    pile_hold(pile, k, x);
     for (int c = 0; c < 3; c++) {
         square += (x[c] - state->x[c]) * (x[c] - state->x[c]);
         state->x[c] = x[c];
@@ -133,9 +137,8 @@ static double move_one(const struct pushes *pushes, const struct pack_container 
     return square;
 }
 
-void push_move(struct pushes *pushes, const struct pack_search *search,
-               const struct pack_container *container, double factor, double largest[CLASS_MAX]) {
-    struct particles *particles = search->particles;
+void push_move(struct pushes *pushes, const struct pile *pile, double factor, double largest[CLASS_MAX]) {
+    struct particles *particles = pile->particles;
     for (int c = 0; c < CLASS_MAX; c++)
         largest[c] = 0;
 #pragma omp parallel
@@ -143,7 +146,7 @@ void push_move(struct pushes *pushes, const struct pack_search *search,
         double mine[CLASS_MAX] = {0};
 #pragma omp for schedule(static)
         for (size_t k = 0; k < particles->owned; k++) {
-            double square = move_one(pushes, container, &particles->state[k], &pushes->sum[k], factor);
+            double square = move_one(pushes, pile, k, &pushes->sum[k], factor);
             double *most = &mine[particles->size_class[k]];
             *most = fmax(*most, square);
             pushes->sum[k] = (struct push_sum){0};

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* Index, pair list and skin of a packing. Read pack_search.h first. */
-#include "front/pack/pack_search.h"
+#include "data/scene/pack/pack_search.h"
 
 #include "base/memory.h"
 #include "kernel/pairs/classes_choose.h"

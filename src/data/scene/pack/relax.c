@@ -1,15 +1,15 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* Repeats sweeps until nothing overlaps. Read relax.h first. */
-#include "front/pack/relax.h"
+#include "data/scene/pack/relax.h"
 
-#include "front/pack/push.h"
-#include "front/pack/pack_search.h"
+#include "data/scene/pack/push.h"
+#include "data/scene/pack/pack_search.h"
 
 /* Displacement of a sweep, in units of the one that brings the stiffest direction to rest. */
 static const double step_factor = 2;
 
 struct relaxing {
-    const struct pack_container *container;
+    const struct pile *pile;
     const struct relax_options *options;
     struct pack_search *search;
     struct pushes *pushes;
@@ -22,7 +22,7 @@ static bool is_done(struct relaxing *r) {
     double largest[CLASS_MAX];
     if (r->state.overlap > r->options->bound)
         return false;
-    push_move(r->pushes, r->search, r->container, 0, largest);
+    push_move(r->pushes, r->pile, 0, largest);
     pack_search_run(r->search);
     r->state.overlap = push_all(r->pushes, r->search);
     return r->state.overlap <= r->options->bound;
@@ -36,7 +36,7 @@ static bool relax_all(struct relaxing *r, struct error *error) {
         r->state.overlap = push_all(r->pushes, r->search);
         if (is_done(r))
             return true;
-        push_move(r->pushes, r->search, r->container, step_factor, largest);
+        push_move(r->pushes, r->pile, step_factor, largest);
         if (pack_search_moved(r->search, largest))
             pack_search_run(r->search);
         r->state.searches = r->search->searches;
@@ -50,13 +50,14 @@ static bool relax_all(struct relaxing *r, struct error *error) {
         options->sweeps, r->state.overlap);
 }
 
-bool relax_run(struct particles *particles, const struct pack_container *container,
-               const struct relax_options *options, struct relax_state *state, struct error *error) {
-    struct relaxing r = {.container = container, .options = options};
+bool relax_run(const struct pile *pile, const struct relax_options *options, struct relax_state *state,
+               struct error *error) {
+    struct particles *particles = pile->particles;
+    struct relaxing r = {.pile = pile, .options = options};
     *state = r.state;
     if (particles->owned == 0)
         return true;
-    r.search = pack_search_create(particles, &container->box, options->gap, options->threads, error);
+    r.search = pack_search_create(particles, pile->box, options->gap, options->threads, error);
     if (r.search == NULL)
         return false;
     r.pushes = push_create(particles->owned, r.search->classes.radius_min[0], options->gap, options->threads);

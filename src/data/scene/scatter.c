@@ -4,15 +4,14 @@
  * depends on seed and scene alone. Without moves of placed spheres the density is bounded: equal spheres end
  * at 0.382 of the volume, equal discs at 0.547 of the area (Feder 1980), and the last percents take very
  * long; wide size laws reach more. */
-#include "data/scene/packing.h"
+#include "data/scene/scatter.h"
 
 #include "base/memory.h"
+#include "data/scene/source_radii.h"
 
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
-
-enum { PROGRESS_BLOCK = 256 };
 
 struct draw {
     double radius;
@@ -27,10 +26,6 @@ static int larger_first(const void *a, const void *b) {
     if (p->source != q->source)
         return p->source < q->source ? -1 : 1;
     return p->number < q->number ? -1 : p->number > q->number;
-}
-
-static double solid(int dimension, double r) {
-    return dimension == 2 ? M_PI * r * r : 4 * M_PI / 3 * r * r * r;
 }
 
 /* One source at work: its region, and its spheres: `count` radii, or as many as fill the volume fraction. */
@@ -52,12 +47,6 @@ struct order {
     size_t count, capacity;
 };
 
-/* Reports the progress to the caller, but not for each sphere. */
-static void tell(const struct scene_share *share, const char *what, size_t done, double all) {
-    if (share->progress && done % PROGRESS_BLOCK == 0 && done > 0)
-        share->progress(share->context, what, fmin(1, (double)done / all));
-}
-
 static void order_add(struct order *order, const struct draw *draw) {
     if (order->count == order->capacity) {
         order->capacity = order->capacity ? 2 * order->capacity : 1024;
@@ -68,42 +57,19 @@ static void order_add(struct order *order, const struct draw *draw) {
 
 /* Draws the radii of a source and adds them to the order. */
 static bool draw_radii(struct placing *p, struct order *order, struct error *error) {
-    const struct scene *scene = p->scene;
-    int source = p->source;
-    const struct source_options *options = &scene->source[source];
-    struct sizes_sampler sampler;
-    if (!sizes_prepare(&sampler, &options->sizes, error))
-        return false;
-    double wanted = options->volume_fraction * p->volume;
-    char key[96];
-    if (options->count > SOURCE_SPHERES_MAX)
-        return scene_fail(scene, error, source_key(source, "count", key, sizeof(key)), "more than %d spheres",
-                          SOURCE_SPHERES_MAX);
-    double expected =
-        wanted / (sizes_moment(&sampler, scene->box.dimension) * solid(scene->box.dimension, 1));
-    if (!options->count && expected > 1.1 * SOURCE_SPHERES_MAX) /* a few per cent are chance */
-        return scene_fail(scene, error, source_key(source, "volume_fraction", key, sizeof(key)),
-                          "needs about %.2g spheres; at most %d are possible", expected, SOURCE_SPHERES_MAX);
-    if (!source_room(options->count ? (double)options->count : expected,
-                     4 * sizeof(double) + sizeof(struct draw) + (double)SOURCE_BYTES / p->share->size, error))
-        return false;
-    while (options->count ? p->count < (size_t)options->count : p->wanted < wanted) {
-        struct random_sequence random =
-            random_sequence(scene->seed, RANDOM_RADIUS, (uint64_t)(source + 1) << 40 | p->count);
-        tell(p->share, "radii drawn", p->count, options->count ? (double)options->count : expected);
-        double r = sizes_draw(&sampler, &random);
-        double more = solid(scene->box.dimension, r);
-        if (!options->count && p->wanted + more - wanted > wanted - p->wanted)
-            break; /* the fraction is nearer without this sphere */
-        p->wanted += more;
-        if (p->count == SOURCE_SPHERES_MAX)
-            return scene_fail(scene, error, source_key(source, "volume_fraction", key, sizeof(key)),
-                              "needs more than %d spheres", SOURCE_SPHERES_MAX);
-        order_add(order, &(struct draw){r, (uint32_t)p->count, source});
-        p->count++;
-    }
-    return p->count > 0 || scene_fail(scene, error, source_key(source, "volume_fraction", key, sizeof(key)),
-                                      "is too small for a single sphere");
+    struct source_wish wish = {.source = p->source,
+                               .first = (uint64_t)(p->source + 1) << 40,
+                               .count = (size_t)p->scene->source[p->source].count,
+                               .volume = p->volume,
+                               .bytes = 5 * sizeof(double) + sizeof(struct draw)};
+    struct source_radii radii;
+    bool good = source_radii_draw(p->scene, p->share, &wish, &radii, error);
+    for (size_t k = 0; good && k < radii.count; k++)
+        order_add(order, &(struct draw){radii.radius[k], (uint32_t)k, p->source});
+    p->count = radii.count;
+    p->wanted = radii.solid;
+    memory_free(radii.radius);
+    return good;
 }
 
 /* Box-relative, wrapped. */
@@ -198,11 +164,11 @@ static bool place_one(struct placing *p, const struct draw *draw, struct source_
     relative(&p->scene->box, x, y);
     placegrid_add(p->grid, y, draw->radius);
     batch->rows.radius[p->placed++] = draw->radius;
-    p->reached += solid(p->scene->box.dimension, draw->radius);
+    p->reached += source_solid(p->scene, draw->radius);
     return true;
 }
 
-bool packing_make(const struct scene *scene, const struct scene_share *share, struct placegrid *grid,
+bool scatter_make(const struct scene *scene, const struct scene_share *share, struct placegrid *grid,
                   struct source_batch *batch, struct error *error) {
     struct placing *placing = memory_allocate_zero((size_t)scene->sources, sizeof(*placing), "sources");
     struct order order = {0};
@@ -222,7 +188,7 @@ bool packing_make(const struct scene *scene, const struct scene_share *share, st
         qsort(order.draw, order.count, sizeof(*order.draw), larger_first);
     for (size_t k = 0; k < order.count && good; k++) {
         int s = order.draw[k].source;
-        tell(share, "spheres placed", k, (double)order.count);
+        source_tell(share, "spheres placed", k, (double)order.count);
         good = place_one(&placing[s], &order.draw[k], &batch[s], error);
     }
     memory_free(order.draw);

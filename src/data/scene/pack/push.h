@@ -3,8 +3,8 @@
 #ifndef SCREE_PACK_PUSH_H
 #define SCREE_PACK_PUSH_H
 
-#include "front/pack/container.h"
-#include "front/pack/pack_search.h"
+#include "data/scene/pack/pile.h"
+#include "data/scene/pack/pack_search.h"
 
 /* The pushes on a particle in whole numbers: the sum of stiffness times distance, the sum of stiffnesses and
  * the largest one. */
@@ -13,8 +13,8 @@ struct push_sum {
 };
 
 struct pushes {
-    double smallest; /* radius */
-    double gap;
+    double smallest;        /* radius */
+    double gap;             /* between spheres, as part of the sum of their radii */
     struct push_sum *sum;   /* of each particle */
     struct push_sum **slot; /* of each thread, for the busy particles of the pair list */
     size_t slots;           /* in each of them */
@@ -30,9 +30,8 @@ void push_destroy(struct pushes **pushes);
  * none. Opens its own thread team. */
 double push_all(struct pushes *pushes, const struct pack_search *search);
 
-/* Moves all particles by `factor` times their pushes, within the container, and clears the pushes; `largest` gets the largest
+/* Moves all particles by `factor` times their pushes, within their regions, and clears the pushes; `largest` gets the largest
  * displacement of each class. Opens its own thread team. */
-void push_move(struct pushes *pushes, const struct pack_search *search,
-               const struct pack_container *container, double factor, double largest[CLASS_MAX]);
+void push_move(struct pushes *pushes, const struct pile *pile, double factor, double largest[CLASS_MAX]);
 
 #endif
