@@ -188,8 +188,7 @@ static bool contact_rows(struct checkpoint_io *io, const struct particles *p, st
     if (io->written == NULL)
         state->history.components = state->wall_history.components = state->history_components;
     return (!pairs || pair_rows(io, "history", p, &state->history, error)) &&
-           (!walls || wall_rows(io, p, &state->wall_history, error)) &&
-           carried_rows(io, p, state, error);
+           (!walls || wall_rows(io, p, &state->wall_history, error)) && carried_rows(io, p, state, error);
 }
 
 /* Computes density and inverse mass, if only one of file and set has groups. */
