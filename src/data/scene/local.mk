@@ -6,6 +6,7 @@ libscene_la_SOURCES = \
 	src/data/scene/decimal.c \
 	src/data/scene/decimal.h \
 	src/data/scene/finish.c \
+	src/data/scene/finish_box.c \
 	src/data/scene/finish.h \
 	src/data/scene/insertion.c \
 	src/data/scene/insertion.h \
