@@ -93,6 +93,8 @@ particles.sources[3]={from: random, count: 4, sizes: 0.4, material: a, group: he
 particles.sources[0].count=60
 particles.sources[2]={from: random, count: 6, sizes: 0.4, material: a, group: moves}
 particles.sources[3]={from: random, count: 4, sizes: 0.4, material: a, group: held}'
+    [packed]='particles.sources[0].from=packed
+particles.sources[1].from=packed'
     [grids]='observables.grids=[{name: g, cells: [4, 1, 4]}, {name: c, cells: [1, 1, 8], kernel: gauss, width: 0.5}]
 observables.list=[{name: energy}, {name: sum, of: mass * (vx * vx + vy * vy), label: k}, {name: stress}, {name: largest, of: y, label: top}]'
     [grids-plane]='observables.grids=[{name: g, cells: [4, 4, 1]}, {name: c, cells: [1, 8, 1], kernel: gauss, width: 0.5}]
@@ -132,25 +134,25 @@ everywhere() {
 together() { # SCENE FEATURE...: on a line of its own
     check "$*" everywhere "$@"
 }
-together space hertz rolling clumps heat hot drag mesh moving grids files vtk
-together space bonds heat hot stokes density mesh servo insertion stages grids
+together space hertz rolling clumps heat hot drag mesh moving grids files vtk packed
+together space bonds heat hot stokes density mesh servo insertion stages grids packed
 together space jkr clumps stokes density moving servo insertion groups files auto
-together space capillary bonds heat drag mesh moving deletion groups grids verlet files vtk
+together space capillary bonds heat drag mesh moving deletion groups grids verlet files vtk packed
 together space thornton clumps heat hot density servo mesh groups stages
 together space eepa bonds drag density mesh moving insertion deletion auto
 together space luding rolling bonds heat density groups leave insertion
 together space hertz rolling jkr insertion deletion stages servo heat hot drag
 together space capillary rolling clumps drag groups servo stages auto
-together space hertz heat stokes density grids files rolling closed sheared deletion stages
-together space luding heat stokes density grids files closed stressed auto
-together space jkr heat drag grids closed strained deletion stages
+together space hertz heat stokes density grids files rolling closed sheared deletion stages packed
+together space luding heat stokes density grids files closed stressed auto packed
+together space jkr heat drag grids closed strained deletion stages packed
 together space capillary drag density files long closed sheared strained
 together space rolling heat closed deletion stages verlet stressed # gravity comes in a stage
-together plane clumps heat hot stokes density moving grids files vtk
+together plane clumps heat hot stokes density moving grids files vtk packed
 together plane hertz bonds heat stokes servo insertion deletion groups stages
 together plane jkr rolling clumps mesh insertion moving stages auto
 together plane luding heat stokes density closed sheared grids
-together plane capillary heat closed squeezed stressed files
+together plane capillary heat closed squeezed stressed files packed
 
 # keeps SCENE FEATURE...: in a closed box momentum to rounding, and the balance of energies to a part of what is there, on two ranks in the
 # fast mode

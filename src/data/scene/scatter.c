@@ -147,7 +147,7 @@ static bool not_placed(const struct placing *p, double radius, struct error *err
         "only %zu of %zu spheres found a place (volume fraction %.4g of %.4g) in %lld attempts for the next "
         "one, of radius %g, clear of others and of walls. Random placement ends at about %s, and nears it "
         "slowly (more attempts); wide "
-        "size laws reach more, a lattice or a packing made beforehand as well%s",
+        "size laws reach more, a lattice or from: packed as well%s",
         p->placed, p->count, p->reached / p->volume, p->wanted / p->volume, (long long)source->attempts,
         radius,
         p->scene->box.dimension == 2 ? "0.547 of the area for equal discs" : "0.382 for equal spheres",

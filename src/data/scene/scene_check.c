@@ -188,12 +188,11 @@ static bool check_random(const struct scene *scene, const struct source_options 
         return scene_fail(scene, error, key, "beside count; %s", one_of_two);
     double limit = scene->box.dimension == 2 ? 0.547 : 0.382;
     if (source->sizes.law == SIZES_FIXED && source->volume_fraction > limit)
-        return scene_fail(
-            scene, error, key,
-            "%g: equal %s placed at random end at %g of the %s; a lattice or a packing made beforehand is "
-            "denser",
-            source->volume_fraction, scene->box.dimension == 2 ? "discs" : "spheres", limit,
-            scene->box.dimension == 2 ? "area" : "volume");
+        return scene_fail(scene, error, key,
+                          "%g: equal %s placed at random end at %g of the %s; from: packed, or a lattice, is "
+                          "denser",
+                          source->volume_fraction, scene->box.dimension == 2 ? "discs" : "spheres", limit,
+                          scene->box.dimension == 2 ? "area" : "volume");
     snprintf(key, sizeof(key), "%s.count", section);
     return source->count > 0 || source->volume_fraction > 0 ||
            scene_fail(scene, error, key, "is missing; give count or volume_fraction");

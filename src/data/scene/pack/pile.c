@@ -103,10 +103,20 @@ static double image_shift(const struct pile *pile, const struct pile_part *part,
     return pile->box->edge[d] * rint((middle - x) / pile->box->edge[d]);
 }
 
+/* True if the region is the whole of a periodic box. */
+static bool is_endless(const struct pile *pile, const struct pile_part *part) {
+    bool endless = part->region.shape == REGION_BOX;
+    for (int d = 0; d < pile->box->dimension; d++)
+        endless = endless && part->space.wrap[d];
+    return endless;
+}
+
 /* Into the region. What the region leaves alone keeps its bits. */
 static void hold_in_region(const struct pile *pile, const struct pile_part *part, const double from[3],
                            double room, double x[3]) {
     double shift[3], was[3], start[3], user[3];
+    if (is_endless(pile, part))
+        return;
     for (int d = 0; d < 3; d++) {
         shift[d] = pile->box->origin[d] + image_shift(pile, part, d, from[d]);
         start[d] = from[d] + shift[d];
