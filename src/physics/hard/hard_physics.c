@@ -52,7 +52,7 @@ static bool check_law(const struct scene *scene, struct error *error) {
                 {"contact.tangential", o->tangential > LAW_TANGENTIAL_HISTORY, "none, history"},
                 {"contact.rolling", o->rolling != LAW_ROLLING_NONE, "none"},
                 {"contact.twisting", o->twisting != LAW_TWISTING_NONE, "none"},
-                {"contact.damping", o->damping != LAW_DAMPING_RESTITUTION, "restitution"},
+                {"contact.damping", o->damping != LAW_DAMPING_DEFAULT, "restitution"},
                 {"contact.lammps_history", o->lammps_history, "false"},
                 {"contact.lammps_granular", o->lammps_granular, "false"}};
     for (size_t k = 0; k < sizeof part / sizeof part[0]; k++)
