@@ -6,26 +6,22 @@
 #include "physics/grains/laws/law_general.h"
 #include "laws_by_hand.h"
 
-static const struct law_extra sticky = {.surface_energy = 0.5,
-                                        .cohesion_density = 1e4,
-                                        .surface_tension = 0.1,
-                                        .contact_angle = 0.4,
-                                        .bridge_volume = 1e-3,
-                                        .hamaker = 1e-3,
-                                        .gap_least = 1e-3,
-                                        .cut_off = 0.05,
-                                        .dissipative_time = 1e-4,
-                                        .k_2 = 3e5,
-                                        .k_c = 5e4,
-                                        .yield_pressure = 1e5,
-                                        .plasticity_ratio = 0.6,
-                                        .adhesion_energy = 30.0,
-                                        .adhesion_exponent = 1.5,
-                                        .pull_off = 0.5,
-                                        .rolling_damping_ratio = 0.3,
-                                        .twisting_stiffness = 100.0,
-                                        .twisting_damping = 0.1,
-                                        .twisting_friction = 0.01};
+static const struct law_extra sticky = {
+    .cohesion_jkr = {.surface_energy = 0.5},
+    .cohesion_dmt = {.surface_energy = 0.5},
+    .cohesion_sjkr = {.cohesion_density = 1e4},
+    .cohesion_capillary = {.surface_tension = 0.1, .contact_angle = 0.4, .bridge_volume = 1e-3},
+    .cohesion_van_der_waals = {.hamaker = 1e-3, .gap_least = 1e-3, .cut_off = 0.05},
+    .rolling_epsd = {.rolling_damping_ratio = 0.3},
+    .twisting_sds = {.twisting_stiffness = 100.0, .twisting_damping = 0.1, .twisting_friction = 0.01},
+    .damping_viscoelastic = {.dissipative_time = 1e-4},
+    .k_2 = 3e5,
+    .k_c = 5e4,
+    .yield_pressure = 1e5,
+    .plasticity_ratio = 0.6,
+    .adhesion_energy = 30.0,
+    .adhesion_exponent = 1.5,
+    .pull_off = 0.5};
 static const struct law_material soft[2] = {{"soft", 2500.0, 1e6, 0.2}, {"soft too", 2500.0, 1e6, 0.2}};
 
 static inline struct law law_of(struct law_options options, struct law_extra extra) {

@@ -4,7 +4,6 @@
 #include <stdarg.h>
 #include <stddef.h>
 #include <cmocka.h>
-#include "physics/grains/laws/law_jkr.h"
 #include "law_parts_by_hand.h"
 
 /* Restitution of a head-on impact, by small steps. */
@@ -32,7 +31,7 @@ static void test_viscoelastic(void **state) {
     struct law_options o = law_options_default();
     o.tangential = LAW_FRICTIONLESS;
     o.damping = LAW_DAMPING_VISCOELASTIC;
-    struct law_extra extra = {.dissipative_time = 3e-5};
+    struct law_extra extra = {.damping_viscoelastic = {.dissipative_time = 3e-5}};
     OWN_LAW law = law_of(o, extra);
     double slow = 1.0 - restitution_of(&law, 1e-3), fast = 1.0 - restitution_of(&law, 0.032);
     assert_true(slow > 1e-3 && fast < 0.05);
@@ -134,12 +133,13 @@ static void test_thornton_sticky(void **state) {
     o.normal = LAW_THORNTON;
     o.cohesion = LAW_COHESION_JKR;
     o.tangential = LAW_FRICTIONLESS;
-    struct law_pair pair = {.restitution = 1.0, .extra = {.yield_pressure = 1.5e5, .surface_energy = 20.0}};
+    struct law_pair pair = {.restitution = 1.0,
+                            .extra = {.yield_pressure = 1.5e5, .cohesion_jkr = {.surface_energy = 20.0}}};
     OWN_LAW law = law_for(o, soft, pair);
     struct law_surfaces s = surfaces_of(&law, 1.0, 1.0);
     const double modulus = law_modulus(&law.pair[law_place_of(law.materials, 0, 1)]), gamma = 20.0, p = 1.5e5,
                  radius = 0.5;
-    const double roughness = 2.0 * sqrt(M_PI * gamma / modulus); /* s of law_jkr.h */
+    const double roughness = 2.0 * sqrt(M_PI * gamma / modulus); /* s of parts/cohesion_jkr.h */
     double a_y = 0.0, step = 1e-7;
     while (modulus / M_PI * (2.0 * (a_y + step) / radius - roughness / sqrt(a_y + step)) < p)
         a_y += step;

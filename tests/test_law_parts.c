@@ -6,7 +6,6 @@
 #include <cmocka.h>
 #include "physics/grains/batch/force_general.h"
 #include "physics/grains/laws/law_general.h"
-#include "physics/grains/laws/law_jkr.h"
 #include "law_parts_by_hand.h"
 
 /* Forces are slopes of energies, tangents slopes of forces, at touch and across gaps, for spheres and a wall. */
@@ -24,7 +23,8 @@ static void test_energies(void **state) {
             struct law_surfaces s = surfaces_of(&law, ri, rj);
             double range = law_cohesion_range(&o, &s), h = 1e-7;
             double overlap = -range + (0.03 + range) * random_uniform(&r);
-            if (fabs(overlap) < 1e-5 || fabs(overlap + sticky.gap_least) < 1e-5 || overlap < 1e-5 - range)
+            if (fabs(overlap) < 1e-5 || fabs(overlap + sticky.cohesion_van_der_waals.gap_least) < 1e-5 ||
+                overlap < 1e-5 - range)
                 continue;
             struct law_grip at = grip_of(&o, &s, overlap, true);
             struct law_grip up = grip_of(&o, &s, overlap + h, true),
@@ -96,7 +96,7 @@ static void test_pulls(void **state) {
     o.cohesion = LAW_COHESION_DMT;
     OWN_LAW law = law_of(o, sticky);
     struct law_surfaces s = surfaces_of(&law, 0.5, 1.0);
-    double work = 2.0 * sticky.surface_energy;
+    double work = 2.0 * sticky.cohesion_dmt.surface_energy;
     assert_near(grip_of(&o, &s, 1e-14, true).force, -2.0 * M_PI * work / 3.0, 1e-12);
     assert_false(grip_of(&o, &s, -1e-14, true).interacts);
 
@@ -231,7 +231,8 @@ static void batch_fill(struct force_batch *b, const struct law *law, struct rand
     for (int k = 0; k < FORCE_BATCH; k++) {
         struct law_general in = random_contact(law, r);
         force_set_coefficients(b, k, &in.contact.coefficients);
-        force_set_sticky(b, k, &law->sticky[law_place_of(law->materials, 0, 1)]);
+        force_set_sticky(b, k, law->options.cohesion, &law->sticky[law_place_of(law->materials, 0, 1)]);
+        force_set_branch(b, k, in.extra);
         b->overlap[k] = in.contact.overlap;
         b->mass[k] = in.contact.mass;
         b->extra[k] = in.extra;
@@ -350,7 +351,8 @@ static void test_epsd(void **state) {
     law_general_respond(&law, law_general_step(&o, 0.0), &in, &out);
     double k = 2.25 * 1e5 * 0.2 * 0.2 * r * r,
            inertia = 1.0 / (1.0 / (1.4 * ma * a * a) + 1.0 / (1.4 * mb * b * b));
-    assert_near(out.rolling.y / (-2.0 * sticky.rolling_damping_ratio * sqrt(inertia * k) * 1e-6), 1.0, 1e-12);
+    assert_near(out.rolling.y / (-2.0 * sticky.rolling_epsd.rolling_damping_ratio * sqrt(inertia * k) * 1e-6),
+                1.0, 1e-12);
 }
 
 /* The cube root against libm's. */
@@ -376,14 +378,14 @@ static void test_refused(void **state) {
     assert_non_null(strstr(error.text, "none, sjkr, capillary, van_der_waals"));
     error = (struct error){0};
     o.cohesion = LAW_COHESION_CAPILLARY;
-    pair[0][0].extra.bridge_fraction = 0.1;
+    pair[0][0].extra.cohesion_capillary.bridge_fraction = 0.1;
     assert_false(law_prepare(&law, &o, 1, soft, pair[0], &error));
     assert_non_null(strstr(error.text, "one of bridge_volume and bridge_fraction"));
     error = (struct error){0};
     o.cohesion = LAW_COHESION_VAN_DER_WAALS;
-    pair[0][0].extra.gap_least = 1.0;
+    pair[0][0].extra.cohesion_van_der_waals.gap_least = 1.0;
     assert_false(law_prepare(&law, &o, 1, soft, pair[0], &error));
-    assert_non_null(strstr(error.text, "gap_least is 1; allowed is above 0 up to 0.05"));
+    assert_non_null(strstr(error.text, "gap_least is above cut_off"));
 }
 
 /* A law without parts keeps its history and its loops. */

@@ -16,15 +16,18 @@ static void differ(struct random_sequence *r, struct law_material *material, str
         material[m] =
             (struct law_material){.density = 1.0, .young = 1e4 + 1e6 * random_uniform(r), .poisson = 0.3};
     for (int k = 0; k < MATERIALS * MATERIALS; k++)
-        pair[k] = (struct law_pair){.restitution = 0.5,
-                                    .extra = {.surface_energy = random_uniform(r),
-                                              .surface_tension = k % 3 ? 0.1 : 0.0,
-                                              .contact_angle = random_uniform(r),
-                                              .bridge_volume = k % 4 ? 0.0 : 0.1 * random_uniform(r),
-                                              .bridge_fraction = k % 4 ? 0.1 * random_uniform(r) : 0.0,
-                                              .hamaker = k % 5 ? 1.0 : 0.0,
-                                              .gap_least = 1e-3,
-                                              .cut_off = 0.01 + random_uniform(r)}};
+        pair[k] = (struct law_pair){
+            .restitution = 0.5,
+            .extra = {.cohesion_jkr = {.surface_energy = random_uniform(r)},
+                      .cohesion_dmt = {.surface_energy = random_uniform(r)},
+                      .cohesion_sjkr = {.cohesion_density = random_uniform(r)},
+                      .cohesion_capillary = {.surface_tension = k % 3 ? 0.1 : 0.0,
+                                             .contact_angle = random_uniform(r),
+                                             .bridge_volume = k % 4 ? 0.0 : 0.1 * random_uniform(r),
+                                             .bridge_fraction = k % 4 ? 0.1 * random_uniform(r) : 0.0},
+                      .cohesion_van_der_waals = {.hamaker = k % 5 ? 1.0 : 0.0,
+                                                 .gap_least = 1e-3,
+                                                 .cut_off = 0.01 + random_uniform(r)}}};
 }
 
 /* The largest of the ranges of all pairs, one by one. */
@@ -71,13 +74,14 @@ static void test_pairs(void **state) {
     struct law_pair pair[4];
     options.cohesion = LAW_COHESION_VAN_DER_WAALS;
     for (int k = 0; k < 4; k++)
-        pair[k] = (struct law_pair){.restitution = 0.5,
-                                    .extra = {.hamaker = 1.0, .gap_least = 1e-3, .cut_off = 0.1 + 0.1 * k}};
+        pair[k] = (struct law_pair){
+            .restitution = 0.5,
+            .extra.cohesion_van_der_waals = {.hamaker = 1.0, .gap_least = 1e-3, .cut_off = 0.1 + 0.1 * k}};
     assert_true(law_prepare(&law, &options, 2, materials, pair, &error));
     assert_true(law_range_of(&law, 0, 0, 1.0, INFINITY) == 0.1);
     assert_true(law_range_of(&law, 1, 0, 1.0, INFINITY) == law_range_of(&law, 0, 1, 1.0, INFINITY));
-    assert_true(law_range_of(&law, 0, 1, 1.0, INFINITY) == pair[1].extra.cut_off);
-    assert_true(law_range(&law, 1.0, INFINITY) == pair[3].extra.cut_off);
+    assert_true(law_range_of(&law, 0, 1, 1.0, INFINITY) == pair[1].extra.cohesion_van_der_waals.cut_off);
+    assert_true(law_range(&law, 1.0, INFINITY) == pair[3].extra.cohesion_van_der_waals.cut_off);
     law_free(&law);
     assert_true(law_prepare(&law, &options, 0, NULL, NULL, &error));
     assert_true(law_range(&law, 1.0, 1.0) == -INFINITY);

@@ -354,7 +354,7 @@ static bool check_law(const struct scene *scene, struct error *error) {
     if (scene->law.tangential_damping_equal && scene->law.tangential_damping_ratio != 1)
         return scene_fail(scene, error, "contact.tangential_damping_equal",
                           "beside tangential_damping_ratio; %s", one_of_two);
-    if (scene->law.lammps_history && scene->law.damping != LAW_DAMPING_COEFFICIENT)
+    if (scene->law.lammps_history && !law_damping_form_of(scene->law.damping)->given)
         return scene_fail(scene, error, "contact.lammps_history", "needs contact.damping: coefficient");
     if (scene->law.lammps_history && scene->law.end != LAW_END_OVERLAP)
         return scene_fail(scene, error, "contact.end",

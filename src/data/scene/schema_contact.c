@@ -14,52 +14,64 @@ static const struct schema_row material_rows[] = {
      .example = "2500"},
     {.key = "density", .type = SCHEMA_REAL, .unit = "kg/m2", .when = "/box.density=area", .range = "(0, inf)", .required = true,
      AT(struct law_material, density), .help = "mass of a disc over its area", .example = "5"},
-    {.key = "young", .type = SCHEMA_REAL, .unit = "Pa", .range = "(0, inf)", .when = "/contact.law:moduli & /contact.damping=restitution|viscoelastic|tsuji",
+    {.key = "young", .type = SCHEMA_REAL, .unit = "Pa", .range = "(0, inf)", .when = "/contact.law:moduli & /contact.damping:scaled",
      .required = true, AT(struct law_material, young), .help = "Young's modulus", .example = "70 GPa"},
-    {.key = "poisson", .type = SCHEMA_REAL, .range = "(-1, 0.5]", .when = "/contact.law:moduli & /contact.damping=restitution|viscoelastic|tsuji",
+    {.key = "poisson", .type = SCHEMA_REAL, .range = "(-1, 0.5]", .when = "/contact.law:moduli & /contact.damping:scaled",
      .required = true, AT(struct law_material, poisson), .help = "Poisson's ratio", .example = "0.2"},
 };
 const struct schema_table schema_material = TABLE(material_rows);
+
+/* The keys of the parts of a law, each with its own (laws/law_part.h) */
+#define PART_KEY(condition, place, member, range_, ...) \
+    {.key = #member, .type = SCHEMA_REAL, .when = condition, .range = range_, AT(struct scene_pair, extra.place.member), __VA_ARGS__},
+#define COHESION_KEY(part, member, ...) PART_KEY("/contact.cohesion.law=" #part, cohesion_##part, member, __VA_ARGS__)
+#define COHESION_KEYS(NAME, name, with, summary) COHESION_##NAME##_KEYS(COHESION_KEY)
+#define DAMPING_KEY(part, member, ...) PART_KEY("/contact.damping=" #part, damping_##part, member, __VA_ARGS__)
+#define DAMPING_KEYS(NAME, name, with, summary) DAMPING_##NAME##_KEYS(DAMPING_KEY)
+#define ROLLING_KEY(part, member, ...) PART_KEY("/contact.rolling=" #part, rolling_##part, member, __VA_ARGS__)
+#define ROLLING_KEYS(NAME, name, with, summary) ROLLING_##NAME##_KEYS(ROLLING_KEY)
+#define TWISTING_KEY(part, member, ...) PART_KEY("/contact.twisting=" #part, twisting_##part, member, __VA_ARGS__)
+#define TWISTING_KEYS(NAME, name, with, summary) TWISTING_##NAME##_KEYS(TWISTING_KEY)
 
 static const struct schema_row pair_rows[] = {
     {.key = "between", .type = SCHEMA_REFS, .target = "materials",
      ARRAY_AT(struct scene_pair, material, between_count),
      .help = "the two materials; left out: the values of every pair without an entry of its own",
      .example = "[glass, steel]"},
-    {.key = "restitution", .type = SCHEMA_REAL, .range = "[0, 1]", .when = "/contact.damping=restitution|tsuji",
+    {.key = "restitution", .type = SCHEMA_REAL, .range = "[0, 1]", .when = "/contact.damping:restitution",
      .required = true, AT(struct scene_pair, restitution),
      .help = "coefficient of restitution, normal, at any size and speed", .example = "0.5"},
     {.key = "friction", .type = SCHEMA_REAL, .range = "[0, inf)", .when = "/contact.tangential:friction",
      .fallback = "0", AT(struct scene_pair, friction), .help = "Coulomb's coefficient of friction",
      .example = "0.3"},
-    {.key = "rolling_friction", .type = SCHEMA_REAL, .range = "[0, inf)", .when = "/contact.rolling=spring|epsd|constant",
+    {.key = "rolling_friction", .type = SCHEMA_REAL, .range = "[0, inf)", .when = "/contact.rolling:resists",
      .fallback = "0", AT(struct scene_pair, rolling_friction), .help = "coefficient of rolling friction",
      .example = "0.01"},
     {.key = "k_n", .type = SCHEMA_REAL, .unit = "N/m", .range = "(0, inf)", .when = "/contact.law:stiffness",
      .required = true, AT(struct scene_pair, k_n), .help = "normal stiffness", .example = "1e5"},
     {.key = "k_n", .type = SCHEMA_REAL, .unit = "Pa", .range = "(0, inf)",
-     .when = "/contact.law:moduli & /contact.damping=coefficient", .required = true, AT(struct scene_pair, k_n),
+     .when = "/contact.law:moduli & /contact.damping:given", .required = true, AT(struct scene_pair, k_n),
      .help = "normal stiffness over the contact radius sqrt(R* overlap): 4/3 E*", .example = "1e9"},
     {.key = "k_t", .type = SCHEMA_REAL, .unit = "N/m", .range = "(0, inf)",
      .when = "/contact.law:stiffness & /contact.tangential:friction", AT(struct scene_pair, k_t),
      .help = "tangential stiffness; left out: 2/7 of k_n", .example = "2.857e4"},
     {.key = "k_t", .type = SCHEMA_REAL, .unit = "Pa", .range = "(0, inf)",
-     .when = "/contact.law:moduli & /contact.damping=coefficient & /contact.tangential:friction",
+     .when = "/contact.law:moduli & /contact.damping:given & /contact.tangential:friction",
      AT(struct scene_pair, k_t),
      .help = "tangential stiffness over the contact radius: 8 G*; left out: 2/7 of k_n", .example = "2.857e8"},
     {.key = "gamma_n", .type = SCHEMA_REAL, .unit = "1/s", .range = "[0, inf)",
-     .when = "/contact.law:stiffness & /contact.damping=coefficient", .required = true,
+     .when = "/contact.law:stiffness & /contact.damping:given", .required = true,
      AT(struct scene_pair, gamma_n), .help = "normal damping per unit of effective mass", .example = "50"},
     {.key = "gamma_n", .type = SCHEMA_REAL, .unit = "1/s/m", .range = "[0, inf)",
-     .when = "/contact.law:moduli & /contact.damping=coefficient", .required = true,
+     .when = "/contact.law:moduli & /contact.damping:given", .required = true,
      AT(struct scene_pair, gamma_n), .help = "normal damping per unit of effective mass and of contact radius",
      .example = "5e5"},
     {.key = "gamma_t", .type = SCHEMA_REAL, .unit = "1/s", .range = "[0, inf)",
-     .when = "/contact.law:stiffness & /contact.damping=coefficient & /contact.tangential:friction",
+     .when = "/contact.law:stiffness & /contact.damping:given & /contact.tangential:friction",
      AT(struct scene_pair, gamma_t),
      .help = "tangential damping per unit of effective mass; left out: half of gamma_n", .example = "25"},
     {.key = "gamma_t", .type = SCHEMA_REAL, .unit = "1/s/m", .range = "[0, inf)",
-     .when = "/contact.law:moduli & /contact.damping=coefficient & /contact.tangential:friction",
+     .when = "/contact.law:moduli & /contact.damping:given & /contact.tangential:friction",
      AT(struct scene_pair, gamma_t),
      .help = "tangential damping per unit of effective mass and of contact radius; left out: half of gamma_n",
      .example = "2.5e5"},
@@ -85,54 +97,7 @@ static const struct schema_row pair_rows[] = {
     {.key = "static_friction", .type = SCHEMA_REAL, .range = "[0, inf)", .when = "/contact.tangential:friction",
      .fallback = "0", AT(struct scene_pair, extra.static_friction),
      .help = "coefficient of friction of a contact that sticks; at most `friction`: the same as that", .example = "0.5"},
-    {.key = "dissipative_time", .type = SCHEMA_REAL, .unit = "s", .range = "[0, inf)",
-     .when = "/contact.damping=viscoelastic", .required = true, AT(struct scene_pair, extra.dissipative_time),
-     .help = "Brilliantov's A: the damper is A times the slope of the spring's force", .example = "1e-6 s"},
-    {.key = "surface_energy", .type = SCHEMA_REAL, .unit = "J/m2", .range = "[0, inf)",
-     .when = "/contact.cohesion.law=jkr|dmt", .required = true, AT(struct scene_pair, extra.surface_energy),
-     .help = "surface energy gamma; the work of adhesion is W = 2 gamma", .example = "0.05 J/m2"},
-    {.key = "cohesion_density", .type = SCHEMA_REAL, .unit = "J/m3", .range = "[0, inf)",
-     .when = "/contact.cohesion.law=sjkr", .required = true, AT(struct scene_pair, extra.cohesion_density),
-     .help = "energy over volume: the pull over the area of the overlap", .example = "1e5 J/m3"},
-    {.key = "surface_tension", .type = SCHEMA_REAL, .unit = "N/m", .range = "[0, inf)",
-     .when = "/contact.cohesion.law=capillary", .required = true, AT(struct scene_pair, extra.surface_tension),
-     .help = "of the liquid", .example = "0.072"},
-    {.key = "contact_angle", .type = SCHEMA_REAL, .unit = "rad", .range = "[0, 1.5707963267948966]",
-     .when = "/contact.cohesion.law=capillary", .fallback = "0", AT(struct scene_pair, extra.contact_angle),
-     .help = "between liquid and solid", .example = "20 deg"},
-    {.key = "bridge_volume", .type = SCHEMA_REAL, .unit = "m3", .range = "(0, inf)",
-     .when = "/contact.cohesion.law=capillary", AT(struct scene_pair, extra.bridge_volume),
-     .help = "of each liquid bridge; this or bridge_fraction", .example = "1e-12 m3"},
-    {.key = "bridge_fraction", .type = SCHEMA_REAL, .range = "(0, inf)",
-     .when = "/contact.cohesion.law=capillary", AT(struct scene_pair, extra.bridge_fraction),
-     .help = "volume of a bridge over that of a sphere with twice the effective radius (one of two like spheres): grows with the particles", .example = "0.01"},
-    {.key = "hamaker", .type = SCHEMA_REAL, .unit = "J", .range = "[0, inf)",
-     .when = "/contact.cohesion.law=van_der_waals", .required = true, AT(struct scene_pair, extra.hamaker),
-     .help = "Hamaker's constant", .example = "6.5e-20 J"},
-    {.key = "gap_least", .type = SCHEMA_REAL, .unit = "m", .range = "(0, inf)",
-     .when = "/contact.cohesion.law=van_der_waals", .required = true, AT(struct scene_pair, extra.gap_least),
-     .help = "gap below which the pull grows no more", .example = "0.4 nm"},
-    {.key = "cut_off", .type = SCHEMA_REAL, .unit = "m", .range = "(0, inf)",
-     .when = "/contact.cohesion.law=van_der_waals", .required = true, AT(struct scene_pair, extra.cut_off),
-     .help = "gap beyond which there is no pull", .example = "100 nm"},
-    {.key = "rolling_stiffness", .type = SCHEMA_REAL, .unit = "N/m", .range = "[0, inf)",
-     .when = "/contact.rolling=spring", .fallback = "0", AT(struct scene_pair, extra.rolling_stiffness),
-     .help = "of the rolling spring, over R* times the angle; 0: the tangential spring's, damper too", .example = "1e4"},
-    {.key = "rolling_damping", .type = SCHEMA_REAL, .unit = "kg/s", .range = "[0, inf)",
-     .when = "/contact.rolling=spring", .fallback = "0", AT(struct scene_pair, extra.rolling_damping),
-     .help = "of a rolling spring whose stiffness is given", .example = "0.01"},
-    {.key = "rolling_damping_ratio", .type = SCHEMA_REAL, .range = "[0, inf)",
-     .when = "/contact.rolling=epsd", .fallback = "0.3", AT(struct scene_pair, extra.rolling_damping_ratio),
-     .help = "of rolling to and fro, below the limit", .example = "0.3"},
-    {.key = "twisting_stiffness", .type = SCHEMA_REAL, .unit = "N m", .range = "(0, inf)",
-     .when = "/contact.twisting=sds", .required = true, AT(struct scene_pair, extra.twisting_stiffness),
-     .help = "torque over the angle of twist", .example = "1e-4"},
-    {.key = "twisting_damping", .type = SCHEMA_REAL, .unit = "N m s", .range = "[0, inf)",
-     .when = "/contact.twisting=sds", .fallback = "0", AT(struct scene_pair, extra.twisting_damping),
-     .help = "torque over the rate of twist", .example = "1e-8"},
-    {.key = "twisting_friction", .type = SCHEMA_REAL, .unit = "m", .range = "[0, inf)",
-     .when = "/contact.twisting=sds", .required = true, AT(struct scene_pair, extra.twisting_friction),
-     .help = "largest torque over the normal force", .example = "1e-5"},
+    LAW_DAMPING_TABLE(DAMPING_KEYS) LAW_COHESION_PARTS(COHESION_KEYS) LAW_ROLLING_PARTS(ROLLING_KEYS) LAW_TWISTING_PARTS(TWISTING_KEYS)
 };
 const struct schema_table schema_pair = TABLE(pair_rows);
 
@@ -158,6 +123,15 @@ static const struct schema_name twisting_names[] = {LAW_TWISTING_TABLE(PART_TWIS
 
 static const char *tangential_traits(int tangential) {
     return tangential == LAW_TANGENTIAL_NONE ? "" : "friction";
+}
+
+static const char *rolling_traits(int rolling) {
+    return rolling == LAW_ROLLING_NONE ? "" : "resists";
+}
+
+static const char *damping_traits(int damping) {
+    const struct law_damping_form *form = law_damping_form_of((enum law_damping)damping);
+    return form->given ? "given" : form->restitution ? "scaled restitution" : "scaled";
 }
 
 static const struct schema_name jkr_end_names[] = {
@@ -194,7 +168,7 @@ static const struct schema_row contact_rows[] = {
      .count_offset = offsetof(struct scene, physics_given[PHYSICS_##name]) - offsetof(struct scene, law), .help = summary},
     PHYSICS_CONTACT_TABLE(PHYSICS_SECTION)
 #undef PHYSICS_SECTION
-    {.key = "damping", .type = SCHEMA_NAME, .names = damping_names, .fallback = "restitution",
+    {.key = "damping", .type = SCHEMA_NAME, .names = damping_names, .fallback = LAW_DAMPING_DEFAULT_NAME, .traits = damping_traits,
      AT(struct law_options, damping), .help = "source of the damping"},
     {.key = "end", .type = SCHEMA_NAME, .names = end_names, .fallback = "force",
      AT(struct law_options, end), .help = "the end of a contact; both ends give the given restitution; left out beside lammps_history or lammps_granular: overlap"},
@@ -203,7 +177,7 @@ static const struct schema_row contact_rows[] = {
     {.key = "sliding", .type = SCHEMA_NAME, .names = sliding_names, .fallback = "series",
      .when = "/contact.tangential:friction", AT(struct law_options, sliding),
      .help = "the slip that the tangential damper sees while a contact slides"},
-    {.key = "rolling", .type = SCHEMA_NAME, .names = rolling_names, .fallback = "none",
+    {.key = "rolling", .type = SCHEMA_NAME, .names = rolling_names, .fallback = "none", .traits = rolling_traits,
      .when = "/contact.tangential:friction", AT(struct law_options, rolling), .help = "resistance to rolling"},
     {.key = "twisting", .type = SCHEMA_NAME, .names = twisting_names, .fallback = "none",
      .when = "/contact.tangential:friction", AT(struct law_options, twisting),
@@ -211,10 +185,10 @@ static const struct schema_row contact_rows[] = {
     {.key = "cohesion", .type = SCHEMA_SECTION, .sub = &cohesion_table, .main = "law",
      .help = "what pulls particles together, and in brackets with laws of which traits it combines; friction's limit then counts what presses the surfaces, without the pull (docs/physics.md)"},
     {.key = "tangential_damping_ratio", .type = SCHEMA_REAL, .range = "[0, inf)", .fallback = "1",
-     .when = "/contact.damping=restitution|viscoelastic|tsuji & /contact.tangential:friction", AT(struct law_options, tangential_damping_ratio),
+     .when = "/contact.damping:scaled & /contact.tangential:friction", AT(struct law_options, tangential_damping_ratio),
      .help = "tangential damping; 1: the same damping ratio as that of the normal spring"},
     {.key = "tangential_damping_equal", .type = SCHEMA_BOOL, .fallback = "false",
-     .when = "/contact.damping=restitution|viscoelastic|tsuji & /contact.tangential:friction", AT(struct law_options, tangential_damping_equal),
+     .when = "/contact.damping:scaled & /contact.tangential:friction", AT(struct law_options, tangential_damping_equal),
      .help = "the tangential damping coefficient equals the normal one, as in LAMMPS's pair_style granular"},
     {.key = "lammps_history", .alias = "lammps_hooke", .type = SCHEMA_BOOL, .fallback = "false",
      AT(struct law_options, lammps_history),

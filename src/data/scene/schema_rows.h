@@ -4,8 +4,8 @@
  *
  * A table lists the keys of one section (a mapping); sections and lists name the table of their entries. A
  * row says where in the section's struct its value lies, as offset and size. Rows are read in order: a row
- * may depend (`when`) on those before it. A key may have several rows, side by side, of whose conditions at most
- * one holds (its unit depends on a law, say).
+ * may depend (`when`) on those before it. A key may have several rows, of whose conditions at most
+ * one holds (its unit depends on a law, say, or two cohesions have it).
  *
  * How to add a key, in four steps:
  *   1. Add a member to the struct of its section: struct scene (scene.h) for a key of the top level, else the

@@ -85,7 +85,7 @@ static void print_end(const struct simulation *s) {
         for (int b = a; b < grains->law.materials; b++)
             e = fmin(e, scene_law_pair(s->scene, a, b)->restitution);
     printf("  %-22s on   contact.end: %s", "end of a contact", what[end]);
-    if (grains->law.options.damping == LAW_DAMPING_COEFFICIENT)
+    if (law_damping_form_of(grains->law.options.damping)->given)
         printf("; the restitution depends on it");
     else if (e < 1.0)
         printf("; at restitution %g damping ratio %.3g, friction of sliding impacts %.3f of Coulomb's (%s: "

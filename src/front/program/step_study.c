@@ -14,24 +14,12 @@ struct step_row {
     double error[LAW_STEPS_STUDIED];
 };
 
-static const struct step_row cohesions[] = {
-    {"jkr", {0.0023, 0.0034, 0.0075, 0.017, 0.02, 0.028, 0.033}},
-    {"dmt", {0.0029, 0.0063, 0.01, 0.023, 0.044, 0.065, 0.096}},
-    {"sjkr", {0.00017, 0.00041, 0.00058, 0.0022, 0.0042, 0.0059, 0.0079}},
-    {"capillary", {9.9e-05, 0.00024, 0.00039, 0.0011, 0.0033, 0.0057, 0.014}},
-    {"van_der_waals", {0.0004, 0.0011, 0.0018, 0.0061, 0.02, 0.023, 0.021}},
-};
-
 /* The errors of the law and of its cohesion; false: one of them is not studied. */
 static bool errors_find(const struct law_options *options, const double *found[2]) {
-    int count;
-    const char *cohesion = law_part_rows(LAW_PART_COHESION, &count)[options->cohesion].name;
     found[0] = law_row_get(options->normal)->form->step_error;
-    found[1] = options->cohesion == LAW_COHESION_NONE ? found[0] : NULL;
-    for (size_t k = 0; k < sizeof cohesions / sizeof cohesions[0]; k++)
-        if (strcmp(cohesions[k].name, cohesion) == 0)
-            found[1] = cohesions[k].error;
-    return found[0][0] > 0 && found[1];
+    found[1] = options->cohesion == LAW_COHESION_NONE ? found[0]
+                                                      : law_cohesion_form_of(options->cohesion)->step_error;
+    return found[0][0] > 0 && found[1][0] > 0;
 }
 
 static double error_at(const double *error, double fraction) {

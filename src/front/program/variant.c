@@ -89,7 +89,7 @@ static void put_laws(struct list *list, const struct scene *scene) {
     /* cohesion and springs that depend on the contact radius go with few other laws */
     bool plain = scene->law.cohesion == LAW_COHESION_NONE && scene->law.tangential <= LAW_TANGENTIAL_HISTORY;
     if (!row->form->linear && plain && !law_has_trait(scene->law.normal, "file") &&
-        !law_has_trait(scene->law.normal, "stiff") && scene->law.damping == LAW_DAMPING_RESTITUTION) {
+        !law_has_trait(scene->law.normal, "stiff") && scene->law.damping == LAW_DAMPING_DEFAULT) {
         snprintf(text, sizeof text, "%s for %s", law_row_get(law_linear())->name, row->name);
         put(list, "law", VARIANT_LINEAR, 0, text);
     }
@@ -101,7 +101,7 @@ static void put_laws(struct list *list, const struct scene *scene) {
             scene->law.sliding == LAW_SLIDING_SERIES ? "sliding total" : "sliding series");
     if (scene->law.rolling != LAW_ROLLING_NONE)
         put(list, "law", VARIANT_NO_ROLLING, 0, "no rolling resistance");
-    if (scene->law.damping == LAW_DAMPING_RESTITUTION && !law_has_trait(scene->law.normal, "stiff")) {
+    if (scene->law.damping == LAW_DAMPING_DEFAULT && !law_has_trait(scene->law.normal, "stiff")) {
         put(list, "stiffness", VARIANT_SOFT, 0.1, "stiffness / 10");
         put(list, "stiffness", VARIANT_SOFT, 0.01, "stiffness / 100");
     }

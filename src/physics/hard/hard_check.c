@@ -37,7 +37,7 @@ static bool check_law(const struct scene *scene, struct error *error) {
                 {"contact.tangential", o->tangential > LAW_TANGENTIAL_HISTORY, "none, history"},
                 {"contact.rolling", o->rolling != LAW_ROLLING_NONE, "none"},
                 {"contact.twisting", o->twisting != LAW_TWISTING_NONE, "none"},
-                {"contact.damping", o->damping != LAW_DAMPING_RESTITUTION, "restitution"},
+                {"contact.damping", o->damping != LAW_DAMPING_DEFAULT, "restitution"},
                 {"contact.end", o->end != LAW_END_FORCE, "force"},
                 {"contact.sliding", o->sliding != LAW_SLIDING_SERIES, "series"},
                 {"contact.tangential_damping_ratio",

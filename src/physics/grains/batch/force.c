@@ -42,7 +42,7 @@ static bool force_fixed(const double record[8], const double *omega) {
 
 /* True if surfaces pull beyond touch only where they have touched. */
 static bool force_waits(const struct law *law) {
-    return law->general && law_cohesion_remembers(law->options.cohesion);
+    return law->general && law_cohesion_form_of(law->options.cohesion)->remembers;
 }
 
 /* Drops contacts of particles that are fixed to each other or joined. */

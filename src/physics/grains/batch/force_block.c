@@ -43,21 +43,15 @@ static inline void force_mix(const struct law *law, struct force_thread *thread)
 /* What contact k of a law with parts takes of the materials p and q. */
 static inline void force_set_parts(const struct law *law, struct force_batch *b, int k, int p, int q) {
     force_set_coefficients(b, k, law_pair_of(law, p, q));
-    force_set_sticky(b, k, law_sticky_at(law, p, q));
+    force_set_sticky(b, k, law->options.cohesion, law_sticky_at(law, p, q));
     b->extra[k] = law_extra_of(law, p, q);
+    if (law->memory.past >= 0)
+        force_set_branch(b, k, b->extra[k]);
 }
 
 static void force_mix_parts(const struct law *law, const uint8_t *material, struct force_batch *b) {
-    const struct force_slice cohesion = force_cohesion_slice(law->options.cohesion),
-                             past = {FORCE_STICKY_PAST,
-                                     law->memory.past < 0 ? 0 : FORCE_STICKY - FORCE_STICKY_PAST};
-    for (int k = 0; k < b->walk.padded; k++) {
-        int p = material_of(material, b->walk.i[k]), q = material_of(material, b->walk.j[k]);
-        force_set_coefficients(b, k, law_pair_of(law, p, q));
-        force_set_slice(b, k, law_sticky_at(law, p, q), cohesion);
-        force_set_slice(b, k, law_sticky_at(law, p, q), past);
-        b->extra[k] = law_extra_of(law, p, q);
-    }
+    for (int k = 0; k < b->walk.padded; k++)
+        force_set_parts(law, b, k, material_of(material, b->walk.i[k]), material_of(material, b->walk.j[k]));
 }
 
 /* The same coefficients for all contacts of all batches. */
@@ -71,8 +65,8 @@ static void force_ask(const struct law_user *user, struct force_batch *b) {
     struct scree_law_batch batch = {.count = b->walk.padded,
                                     .overlap = b->overlap,
                                     .radius = b->effective,
-                                    .k_n = b->coefficient[0],
-                                    .k_t = b->coefficient[1],
+                                    .k_n = b->coefficient[FORCE_k_n],
+                                    .k_t = b->coefficient[FORCE_k_t],
                                     .force = b->springs[0],
                                     .stiffness = b->springs[1],
                                     .tangential = b->springs[2],

@@ -24,9 +24,7 @@ static void contact_take(const struct law *law, const struct force_batch *b, int
     in->contact.radius = isinf(rj) ? ri : ri * rj / (ri + rj);
     in->contact.normal = vector_of(b->normal, k);
     in->contact.velocity = vector_of(b->velocity, k);
-    in->contact.coefficients =
-        (struct law_coefficients){b->coefficient[0][k], b->coefficient[1][k], b->coefficient[2][k],
-                                  b->coefficient[3][k], b->coefficient[4][k], b->coefficient[5][k]};
+    in->contact.coefficients = force_coefficients_of(b, k);
     in->extra = b->extra[k];
     in->radius[0] = ri;
     in->radius[1] = rj;

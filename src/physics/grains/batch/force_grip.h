@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
-/* The normal direction of laws with parts over a batch, once for each combination of law and cohesion (law_grip.h).
+/* The normal direction of laws with parts over a batch, once for each combination of law and cohesion (law_parts.h).
  * Included by force_block.c alone, which is compiled for several instruction sets. The same bits as law_general_push. */
 #ifndef SCREE_BATCH_FORCE_GRIP_H
 #define SCREE_BATCH_FORCE_GRIP_H
@@ -18,79 +18,83 @@ struct force_grip {
 
 /* The springs of a law, and the new `past`. */
 LAW_INLINE struct law_springs force_grip_springs(const struct force_grip *loop,
-                                                 const struct law_coefficients *c,
-                                                 const struct law_sticky *sticky, double radius,
+                                                 const struct force_batch *restrict b, int k,
+                                                 const struct law_coefficients *c, double radius,
                                                  double overlap, double *past) {
     if (!law_branches(loop->normal))
         return law_springs(loop->normal, c, radius, overlap);
-    struct law_extra extra = {
-        .k_2 = sticky->k_2, .k_c = sticky->k_c, .plasticity_depth = sticky->plasticity_depth};
+#define TAKE(member) .member = b->branch[LAW_BRANCH_##member][k],
+    struct law_extra extra = {LAW_BRANCH_NUMBERS(TAKE)};
+#undef TAKE
     return law_branch(loop->normal, c, &extra, radius, overlap, past);
 }
 
-LAW_INLINE struct law_grip force_grip_of(const struct force_grip *loop, const struct law_coefficients *c,
-                                         const struct law_sticky *sticky, const double radius[3],
-                                         double overlap, bool *held, double *past) {
-    if (loop->cohesion == LAW_COHESION_JKR)
-        return law_grip_jkr(c, sticky->length, sticky->surface_energy, radius[2], overlap, loop->end, held);
-    double pressed = law_most(overlap, 0.0), before = *past;
-    struct law_springs springs = force_grip_springs(loop, c, sticky, radius[2], pressed, past);
-    struct law_pull pull = law_pull_at(loop->cohesion, sticky, radius[0], radius[1], radius[2], overlap);
-    double range = law_pull_range(loop->cohesion, sticky, radius[2]);
+/* The attraction of a cohesion that pulls beside the springs, and how far it acts. */
+LAW_INLINE struct law_pull force_grip_pull(const struct force_grip *loop,
+                                           const struct force_batch *restrict b, int k,
+                                           const struct law_radii *radii, double *range) {
+#define CASE(NAME, name, with, summary)                                                                      \
+    if (loop->cohesion == LAW_COHESION_##NAME) {                                                             \
+        const struct cohesion_##name p = force_##name##_of(b, k);                                            \
+        *range = cohesion_##name##_range(&p, radii->effective);                                              \
+        return cohesion_##name##_pull(&p, radii, b->overlap[k]);                                             \
+    }
+    LAW_PULL_TABLE(CASE)
+#undef CASE
+    *range = 0.0;
+    return (struct law_pull){0};
+}
+
+LAW_INLINE struct law_grip force_grip_of(const struct force_grip *loop, const struct force_batch *restrict b,
+                                         int k, const struct law_radii *radii, bool *held, double *past) {
+    const struct law_coefficients c = {.k_n = b->coefficient[FORCE_k_n][k],
+                                       .k_t = b->coefficient[FORCE_k_t][k]};
+#define CASE(NAME, name, with, summary)                                                                      \
+    if (loop->cohesion == LAW_COHESION_##NAME) {                                                             \
+        const struct cohesion_##name p = force_##name##_of(b, k);                                            \
+        return cohesion_##name##_grip(&p, &c, radii->effective, b->overlap[k], loop->end, held);             \
+    }
+    LAW_ADHESION_TABLE(CASE)
+#undef CASE
+    double overlap = b->overlap[k], pressed = law_most(overlap, 0.0), before = *past, range;
+    struct law_springs springs = force_grip_springs(loop, b, k, &c, radii->effective, pressed, past);
+    struct law_pull pull = force_grip_pull(loop, b, k, radii, &range);
     struct law_grip grip = law_grip_join(loop->cohesion, &springs, &pull, range, overlap, held);
     *past = grip.touches ? *past : grip.interacts ? before : 0.0;
     return grip;
 }
 
-/* What force_set_sticky has written for contact k. */
-LAW_INLINE struct law_sticky force_sticky_of(const struct force_batch *restrict b, int k) {
-    return (struct law_sticky){.surface_energy = b->sticky[0][k],
-                               .length = b->sticky[1][k],
-                               .density = b->sticky[2][k],
-                               .tension = b->sticky[3][k],
-                               .volume = b->sticky[4][k],
-                               .volume_share = b->sticky[5][k],
-                               .rupture = b->sticky[6][k],
-                               .rupture_share = b->sticky[7][k],
-                               .hamaker = b->sticky[8][k],
-                               .gap_least = b->sticky[9][k],
-                               .cut_off = b->sticky[10][k],
-                               .k_2 = b->sticky[11][k],
-                               .k_c = b->sticky[12][k],
-                               .plasticity_depth = b->sticky[13][k]};
-}
-
 LAW_INLINE void force_grip_one(const struct force_grip *loop, struct force_batch *restrict b, int k) {
-    struct law_coefficients c = {.k_n = b->coefficient[0][k], .k_t = b->coefficient[1][k]};
-    struct law_sticky sticky = force_sticky_of(b, k);
     double ri = b->walk.radius[0][k], rj = b->walk.radius[1][k];
-    double radius[3] = {ri, rj, isinf(rj) ? ri : ri * rj / (ri + rj)};
-    double past = loop->past ? loop->past[k] : 0.0;
-    bool held = loop->held && loop->held[k] != 0.0;
-    struct law_grip grip = force_grip_of(loop, &c, &sticky, radius, b->overlap[k], &held, &past);
+    const struct law_radii radii = {ri, rj, isinf(rj) ? ri : ri * rj / (ri + rj)};
+    const bool remembers = law_cohesion_form_of(loop->cohesion)->remembers,
+               flows = law_branches(loop->normal);
+    double past = flows ? loop->past[k] : 0.0;
+    bool held = remembers && loop->held[k] != 0.0;
+    struct law_grip grip = force_grip_of(loop, b, k, &radii, &held, &past);
     double rate = b->velocity[0][k] * b->normal[0][k] + b->velocity[1][k] * b->normal[1][k] +
                   b->velocity[2][k] * b->normal[2][k];
-    struct law_push push = law_push_of(loop->manner, &grip, b->coefficient[2][k], b->mass[k], rate);
-    b->effective[k] = radius[2];
+    struct law_push push = law_push_of(loop->manner, &grip, b->coefficient[FORCE_c_n][k], b->mass[k], rate);
+    b->effective[k] = radii.effective;
     b->springs[0][k] = push.force;
     b->springs[1][k] = push.base;
     b->springs[2][k] = grip.tangential;
     b->springs[3][k] = push.press;
     b->springs[4][k] = grip.touches ? 1.0 : 0.0;
     b->springs[5][k] = held ? 1.0 : 0.0;
-    if (loop->held)
+    if (remembers)
         loop->held[k] = held ? 1.0 : 0.0;
-    if (loop->past)
+    if (flows)
         loop->past[k] = past;
 }
 
 LAW_INLINE void force_grip_all(enum law_normal normal, enum law_cohesion cohesion, const struct law *law,
                                struct force_batch *restrict b) {
-    const bool held = law_cohesion_remembers(cohesion), past = law_branches(normal);
+    const bool held = law_cohesion_form_of(cohesion)->remembers, past = law_branches(normal);
     const struct force_grip loop = {.normal = normal,
                                     .cohesion = cohesion,
                                     .end = law->options.jkr_end,
-                                    .manner = law_manner_of(&law->options),
+                                    .manner = law_manner_of(&law->options, cohesion),
                                     .held = held ? b->walk.history[law->memory.held] : NULL,
                                     .past = past ? b->walk.history[law->memory.past] : NULL};
     int count = b->walk.padded;
@@ -99,35 +103,32 @@ LAW_INLINE void force_grip_all(enum law_normal normal, enum law_cohesion cohesio
         force_grip_one(&loop, b, k);
 }
 
-/* Rows: a law of the table, and a cohesion that combines with the law. */
-#define FORCE_GRIP_TABLE(ROW)                                                                                \
-    ROW(HOOKE, hooke, NONE, none)                                                                            \
-    ROW(HOOKE, hooke, SJKR, sjkr)                                                                            \
-    ROW(HOOKE, hooke, CAPILLARY, capillary)                                                                  \
-    ROW(HOOKE, hooke, VAN_DER_WAALS, van_der_waals)                                                          \
-    ROW(HERTZ, hertz, NONE, none)                                                                            \
-    ROW(HERTZ, hertz, JKR, jkr)                                                                              \
-    ROW(HERTZ, hertz, DMT, dmt)                                                                              \
-    ROW(HERTZ, hertz, SJKR, sjkr)                                                                            \
-    ROW(HERTZ, hertz, CAPILLARY, capillary)                                                                  \
-    ROW(HERTZ, hertz, VAN_DER_WAALS, van_der_waals)                                                          \
-    ROW(LUDING, luding, NONE, none)                                                                          \
-    ROW(LUDING, luding, SJKR, sjkr)                                                                          \
-    ROW(LUDING, luding, CAPILLARY, capillary)                                                                \
-    ROW(LUDING, luding, VAN_DER_WAALS, van_der_waals)
+/* The laws that have loops, with a cohesion that pulls beside the springs. */
+#define FORCE_GRIP_LAWS(ROW, COHESION, cohesion)                                                             \
+    ROW(HOOKE, hooke, COHESION, cohesion)                                                                    \
+    ROW(HERTZ, hertz, COHESION, cohesion)                                                                    \
+    ROW(LUDING, luding, COHESION, cohesion)
 
 #define FORCE_GRIP_LOOP(NAME, name, COHESION, cohesion)                                                      \
     static void force_grip_##name##_##cohesion(const struct law *law, struct force_batch *b) {               \
         force_grip_all(LAW_##NAME, LAW_COHESION_##COHESION, law, b);                                         \
     }
-FORCE_GRIP_TABLE(FORCE_GRIP_LOOP)
+#define FORCE_GRIP_LOOPS(NAME, name, with, summary) FORCE_GRIP_LAWS(FORCE_GRIP_LOOP, NAME, name)
+/* An adhesion is of elastic spheres */
+#define FORCE_GRIP_ADHESION(NAME, name, with, summary) FORCE_GRIP_LOOP(HERTZ, hertz, NAME, name)
+FORCE_GRIP_LOOPS(NONE, none, , )
+LAW_PULL_TABLE(FORCE_GRIP_LOOPS)
+LAW_ADHESION_TABLE(FORCE_GRIP_ADHESION)
 
 #define FORCE_GRIP_PLACE(NAME, name, COHESION, cohesion)                                                     \
     [LAW_##NAME][LAW_COHESION_##COHESION] = force_grip_##name##_##cohesion,
+#define FORCE_GRIP_ADHESION_PLACE(NAME, name, with, summary) FORCE_GRIP_PLACE(HERTZ, hertz, NAME, name)
+#define FORCE_GRIP_PLACES(NAME, name, with, summary) FORCE_GRIP_LAWS(FORCE_GRIP_PLACE, NAME, name)
 
 /* The loop of a law; NULL: its contacts go one after another. */
 static inline force_gripper *force_grip_find(const struct law_options *options) {
-    static force_gripper *const table[LAW_COUNT][LAW_COHESION_COUNT] = {FORCE_GRIP_TABLE(FORCE_GRIP_PLACE)};
+    static force_gripper *const table[LAW_COUNT][LAW_COHESION_COUNT] = {FORCE_GRIP_PLACES(
+        NONE, none, , ) LAW_PULL_TABLE(FORCE_GRIP_PLACES) LAW_ADHESION_TABLE(FORCE_GRIP_ADHESION_PLACE)};
     return options->user ? NULL : table[options->normal][options->cohesion];
 }
 

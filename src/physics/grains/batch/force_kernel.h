@@ -19,7 +19,11 @@
 #include "kernel/pairs/walk.h"
 #include <string.h>
 
-enum { FORCE_BATCH = WALK_BATCH, FORCE_LANES = WALK_LANES, FORCE_STICKY = 14, FORCE_STICKY_PAST = 11 };
+enum { FORCE_BATCH = WALK_BATCH, FORCE_LANES = WALK_LANES };
+
+/* The column of each member of struct law_coefficients. */
+#define FORCE_COLUMN(member) FORCE_##member,
+enum { LAW_COEFFICIENT_TABLE(FORCE_COLUMN) FORCE_COEFFICIENTS };
 
 /* Places of the law's results in `out` of the walk's batch: components x y z each. */
 enum { FORCE_OUT = 0, FORCE_MOMENT = 3, FORCE_ROLLING = 6 };
@@ -29,8 +33,8 @@ enum { FORCE_OUT = 0, FORCE_MOMENT = 3, FORCE_ROLLING = 6 };
  * force on j, the torque per lever, the rolling torque on j. walk.gathered[0]: omega_i 0 omega_j 0. */
 struct force_batch {
     struct walk_batch walk;
-    double coefficient[6][FORCE_BATCH]; /* the members of struct law_coefficients */
-    double overlap[FORCE_BATCH];        /* from here on: the members of struct law_contact, by component */
+    double coefficient[FORCE_COEFFICIENTS][FORCE_BATCH]; /* the members of struct law_coefficients */
+    double overlap[FORCE_BATCH]; /* from here on: the members of struct law_contact, by component */
     double mass[FORCE_BATCH];
     double effective[FORCE_BATCH];
     double normal[3][FORCE_BATCH];
@@ -42,7 +46,8 @@ struct force_batch {
     /* Of a law of the user's: force, stiffness, tangential, contact, energy. Of a law with parts that rubs: force with the
      * damper, the damper's base, tangential, press (law_general.h), 1 where the surfaces touch, 1 where they interact. */
     double springs[6][FORCE_BATCH];
-    double sticky[FORCE_STICKY][FORCE_BATCH]; /* of a law with parts: the members of struct law_sticky */
+    double sticky[LAW_STICKY][FORCE_BATCH]; /* of a law with parts: the members of the cohesion's struct */
+    double branch[LAW_BRANCH_COUNT][FORCE_BATCH];      /* of a law with branches: LAW_BRANCH_NUMBERS */
     double parameter[LAW_PARAMETERS_MAX][FORCE_BATCH]; /* its input */
     double energy[3][FORCE_BATCH];                     /* normal, springs, work taken; if asked for */
     /* Of a law with parts or of the user's: coefficients of the parts; contact k interacts. */
@@ -54,45 +59,46 @@ typedef void force_physics(struct force_batch *batch, struct law_step step);
 /* The normal direction of a law that rubs, without energies: fills `springs`, `effective`, and what contacts remember of it. */
 typedef void force_gripper(const struct law *law, struct force_batch *batch);
 
-/* Writes the coefficients of contact k into a batch. */
+/* Writes the coefficients of contact k into a batch, and reads them. */
 static inline void force_set_coefficients(struct force_batch *restrict b, int k,
                                           const struct law_coefficients *c) {
-    b->coefficient[0][k] = c->k_n;
-    b->coefficient[1][k] = c->k_t;
-    b->coefficient[2][k] = c->c_n;
-    b->coefficient[3][k] = c->c_t;
-    b->coefficient[4][k] = c->friction;
-    b->coefficient[5][k] = c->rolling_friction;
+#define PUT(member) b->coefficient[FORCE_##member][k] = c->member;
+    LAW_COEFFICIENT_TABLE(PUT)
+#undef PUT
 }
 
-/* Members of struct law_sticky that lie side by side, by number; those of laws with branches begin at FORCE_STICKY_PAST. */
-struct force_slice {
-    int first, count;
-};
-
-/* The members that a cohesion takes. */
-static inline struct force_slice force_cohesion_slice(enum law_cohesion cohesion) {
-    static const struct force_slice table[LAW_COHESION_COUNT] = {[LAW_COHESION_JKR] = {0, 2},
-                                                                 [LAW_COHESION_DMT] = {0, 1},
-                                                                 [LAW_COHESION_SJKR] = {2, 1},
-                                                                 [LAW_COHESION_CAPILLARY] = {3, 5},
-                                                                 [LAW_COHESION_VAN_DER_WAALS] = {8, 3}};
-    return table[cohesion];
+LAW_INLINE struct law_coefficients force_coefficients_of(const struct force_batch *restrict b, int k) {
+#define TAKE(member) .member = b->coefficient[FORCE_##member][k],
+    return (struct law_coefficients){LAW_COEFFICIENT_TABLE(TAKE)};
+#undef TAKE
 }
 
-/* Writes members of what contact k takes into a batch. */
-static inline void force_set_slice(struct force_batch *restrict b, int k, const struct law_sticky *sticky,
-                                   struct force_slice slice) {
+#define FORCE_STICKY_SIZE(NAME, name, with, summary) [LAW_COHESION_##NAME] = sizeof(struct cohesion_##name),
+
+/* Writes what the normal direction of contact k takes into a batch: the numbers of the law's cohesion, which lie side by side, and
+ * those of a law with branches. */
+static inline void force_set_sticky(struct force_batch *restrict b, int k, enum law_cohesion cohesion,
+                                    const union law_sticky *sticky) {
+    static const size_t size[LAW_COHESION_COUNT] = {LAW_COHESION_PARTS(FORCE_STICKY_SIZE)};
     const double *number = (const double *)sticky;
-    _Static_assert(sizeof *sticky == FORCE_STICKY * sizeof *number, "a number is missing");
-    for (int n = slice.first; n < slice.first + slice.count; n++)
+    for (size_t n = 0; n < size[cohesion] / sizeof *number; n++)
         b->sticky[n][k] = number[n];
 }
 
-/* Writes all that the cohesion of contact k takes into a batch. */
-static inline void force_set_sticky(struct force_batch *restrict b, int k, const struct law_sticky *sticky) {
-    force_set_slice(b, k, sticky, (struct force_slice){0, FORCE_STICKY});
+static inline void force_set_branch(struct force_batch *restrict b, int k, const struct law_extra *extra) {
+#define PUT(member) b->branch[LAW_BRANCH_##member][k] = extra->member;
+    LAW_BRANCH_NUMBERS(PUT)
+#undef PUT
 }
+
+/* The numbers of a cohesion, as force_set_sticky has written them. */
+#define FORCE_STICKY_TAKE(part, member)                                                                      \
+    .member = b->sticky[offsetof(struct cohesion_##part, member) / sizeof(double)][k],
+#define FORCE_STICKY_OF(NAME, name, with, summary)                                                           \
+    LAW_INLINE struct cohesion_##name force_##name##_of(const struct force_batch *restrict b, int k) {       \
+        return (struct cohesion_##name){COHESION_##NAME##_NUMBERS(FORCE_STICKY_TAKE)};                       \
+    }
+LAW_COHESION_PARTS(FORCE_STICKY_OF)
 
 /* force_add_virial without rounding, and the energy of the contact. */
 static inline void force_add_exact(struct force_exact *exact, double weight, double energy, const double d[3],

@@ -81,9 +81,7 @@ LAW_INLINE void force_respond(struct law_case law, struct force_batch *b, int k,
                              .mass = b->mass[k],
                              .normal = force_vector(b->normal, k),
                              .velocity = force_vector(b->velocity, k),
-                             .coefficients = {b->coefficient[0][k], b->coefficient[1][k],
-                                              b->coefficient[2][k], b->coefficient[3][k],
-                                              b->coefficient[4][k], b->coefficient[5][k]},
+                             .coefficients = force_coefficients_of(b, k),
                              .radius = b->effective[k]};
     if (law.given)
         in.springs = (struct law_springs){.force = b->springs[0][k],
@@ -126,9 +124,7 @@ LAW_INLINE struct law_vector force_select(bool chosen, struct law_vector v) {
 LAW_INLINE void force_rub(struct law_case law, struct force_batch *b, int k, struct law_step step) {
     struct law_contact in = {.normal = force_vector(b->normal, k),
                              .velocity = force_vector(b->velocity, k),
-                             .coefficients = {b->coefficient[0][k], b->coefficient[1][k],
-                                              b->coefficient[2][k], b->coefficient[3][k],
-                                              b->coefficient[4][k], b->coefficient[5][k]},
+                             .coefficients = force_coefficients_of(b, k),
                              .radius = b->effective[k]};
     struct law_vector push = law_scale(b->springs[0][k], in.normal);
     bool touches = b->springs[4][k] > 0.0;

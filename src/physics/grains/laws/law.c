@@ -1,14 +1,13 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* From a scene's options and materials to the coefficients of each pair of materials. */
 #include "physics/grains/laws/law.h"
-#include "physics/grains/laws/law_restitution.h"
 #include "base/memory.h"
 #include <math.h>
 #include <string.h>
 
 struct law_options law_options_default(void) {
     return (struct law_options){.normal = LAW_NORMAL_DEFAULT,
-                                .damping = LAW_DAMPING_RESTITUTION,
+                                .damping = LAW_DAMPING_DEFAULT,
                                 .end = LAW_END_FORCE,
                                 .tangential = LAW_TANGENTIAL_HISTORY,
                                 .rolling = LAW_ROLLING_NONE,
@@ -40,7 +39,7 @@ static bool law_within(double value, double least, bool open) {
 
 /* Springs come from young and poisson of the materials, not from k_n and k_t of the pair. */
 static bool law_has_moduli(const struct law_options *o) {
-    return law_form_of(o)->moduli && o->damping != LAW_DAMPING_COEFFICIENT;
+    return law_form_of(o)->moduli && !law_damping_form_of(o->damping)->given;
 }
 
 static bool law_check_material(const struct law_material *m, const struct law_options *o,
@@ -64,7 +63,7 @@ static bool law_check_pair(const struct law_pair *p, const struct law_options *o
                            const char *b, struct error *error) {
     bool springs = !law_has_moduli(o) && !law_has_trait(o->normal, "stiff"),
          friction = o->tangential != LAW_FRICTIONLESS;
-    bool given = o->damping == LAW_DAMPING_COEFFICIENT, rolling = o->rolling != LAW_ROLLING_NONE;
+    bool given = law_damping_form_of(o->damping)->given, rolling = o->rolling != LAW_ROLLING_NONE;
     const struct {
         const char *key;
         double value;
@@ -75,7 +74,7 @@ static bool law_check_pair(const struct law_pair *p, const struct law_options *o
                 {"gamma_t", p->gamma_t, given && friction, false},
                 {"friction", p->friction, friction, false},
                 {"rolling_friction", p->rolling_friction, rolling, false}};
-    bool asked = o->damping == LAW_DAMPING_RESTITUTION || o->damping == LAW_DAMPING_TSUJI;
+    bool asked = law_damping_form_of(o->damping)->restitution;
     for (size_t r = 0; r < sizeof rows / sizeof rows[0]; r++)
         if (rows[r].used && !law_within(rows[r].value, 0.0, rows[r].open))
             return error_set(error, ERROR_USER, "material pair %s, %s: %s is %g; allowed is %s", a, b,
@@ -89,26 +88,24 @@ static bool law_check_pair(const struct law_pair *p, const struct law_options *o
     return law_check_extra(&p->extra, o, (const char *[]){a, b}, error);
 }
 
-/* The damper over sqrt(m* k) of Tsuji, Tanaka and Ishida (1992), fitted for Hertz; the polynomial is LAMMPS's. */
-static double law_tsuji(double e) {
-    return 1.2728 + e * (-4.2783 + e * (11.087 + e * (-22.348 + e * (27.467 + e * (-18.022 + e * 4.8218)))));
-}
-
-/* The normal damper's coefficient, for the base that the damping has. */
-static double law_damper(const struct law_options *o, const struct law_pair *p) {
+/* Fills the dampers' coefficients, whose springs are there. */
+static void law_damp(const struct law_options *o, const struct law_pair *p, struct law_coefficients *c) {
     const struct law_form *form = law_form_of(o);
-    switch (o->damping) {
-    case LAW_DAMPING_COEFFICIENT:
-        return p->gamma_n;
-    case LAW_DAMPING_VISCOELASTIC:
-        return p->extra.dissipative_time;
-    case LAW_DAMPING_TSUJI:
-        return law_tsuji(p->restitution);
-    case LAW_DAMPING_RESTITUTION:
-    case LAW_DAMPING_COUNT:
-        break;
+    const struct law_damped in = {.restitution = p->restitution,
+                                  .gamma_n = p->gamma_n,
+                                  .gamma_t = p->gamma_t,
+                                  .end = o->end,
+                                  .damper = form->damper,
+                                  .tangent = form->tangent,
+                                  .tangential = o->tangential_damping_ratio,
+                                  .ratio = c->k_t / (form->tangent * c->k_n)};
+#define CASE(NAME, name, with, summary)                                                                      \
+    if (o->damping == LAW_DAMPING_##NAME) {                                                                  \
+        c->c_n = damping_##name##_normal(&p->extra.damping_##name, &in);                                     \
+        c->c_t = damping_##name##_tangential(&in, c->c_n);                                                   \
     }
-    return form->damper * law_damping_ratio(p->restitution, o->end);
+    LAW_DAMPING_TABLE(CASE)
+#undef CASE
 }
 
 static struct law_coefficients law_combine(const struct law_options *o, const struct law_material *a,
@@ -125,13 +122,7 @@ static struct law_coefficients law_combine(const struct law_options *o, const st
         form->moduli(a, b, &c);
     if (!friction)
         c.k_t = 0.0;
-    c.c_n = law_damper(o, p);
-    if (o->damping == LAW_DAMPING_COEFFICIENT)
-        c.c_t = p->gamma_t;
-    else if (o->damping == LAW_DAMPING_VISCOELASTIC)
-        c.c_t = o->tangential_damping_ratio * c.c_n * (c.k_t / (form->tangent * c.k_n));
-    else
-        c.c_t = o->tangential_damping_ratio * c.c_n * sqrt(c.k_t / (form->tangent * c.k_n));
+    law_damp(o, p, &c);
     if (o->tangential_damping_equal)
         c.c_t = c.c_n;
     if (!friction)
@@ -143,14 +134,13 @@ static struct law_coefficients law_combine(const struct law_options *o, const st
 static bool law_has_parts(const struct law *law) {
     const struct law_options *o = &law->options;
     bool general = law_form_of(o)->unload || o->cohesion != LAW_COHESION_NONE ||
-                   o->tangential > LAW_TANGENTIAL_HISTORY || o->rolling > LAW_ROLLING_SPRING ||
-                   o->twisting != LAW_TWISTING_NONE || o->damping == LAW_DAMPING_VISCOELASTIC ||
-                   o->lammps_granular;
+                   o->tangential > LAW_TANGENTIAL_HISTORY || o->twisting != LAW_TWISTING_NONE ||
+                   law_damping_form_of(o->damping)->general || o->lammps_granular;
     for (int a = 0; a < law->materials; a++)
         for (int b = 0; b <= a; b++) {
             const struct law_extra *x = law_extra_of(law, a, b);
             general = general || (law->spin && x->static_friction > law_pair_of(law, a, b)->friction) ||
-                      (o->rolling == LAW_ROLLING_SPRING && x->rolling_stiffness > 0.0);
+                      law_rolling_general(o->rolling, x);
         }
     return general;
 }
@@ -173,11 +163,10 @@ static void law_lay_out(struct law *law) {
             apart = apart || law_extra_of(law, a, b)->static_friction > law_pair_of(law, a, b)->friction;
     law->memory.spring =
         law_place(&next, law->spin && !o->solved && o->tangential != LAW_TANGENTIAL_VISCOUS, 3);
-    law->memory.roll = law_place(
-        &next, law->spin && o->rolling != LAW_ROLLING_NONE && o->rolling != LAW_ROLLING_CONSTANT, 3);
+    law->memory.roll = law_place(&next, law->spin && law_rolling_form_of(o->rolling)->spring, 3);
     law->history_odd = next;
     law->memory.twist = law_place(&next, o->twisting != LAW_TWISTING_NONE, 1);
-    law->memory.held = law_place(&next, general && law_cohesion_remembers(o->cohesion), 1);
+    law->memory.held = law_place(&next, general && law_cohesion_form_of(o->cohesion)->remembers, 1);
     law->memory.radius = law_place(
         &next, o->tangential == LAW_TANGENTIAL_RESCALE || o->tangential == LAW_TANGENTIAL_RESCALE_FORCE, 1);
     law->memory.slides = law_place(&next, general && law->spin && apart && law->memory.spring >= 0, 1);
@@ -193,7 +182,7 @@ static void law_fill(struct law *law, const struct law_material *material, const
     law->extra[there] = law->extra[back] = pair->extra;
     law->sticky[there] = law->sticky[back] =
         law_sticky_of(law->options.cohesion, &law->pair[there], &pair->extra);
-    law_sticky_widen(&law->farthest, &law->sticky[there]);
+    law_sticky_widen(law->options.cohesion, &law->widest, &law->sticky[there]);
 }
 
 static bool law_is_uniform(const struct law *law) {

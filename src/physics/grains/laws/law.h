@@ -20,7 +20,6 @@
 #define SCREE_LAWS_LAW_H
 
 #include "physics/grains/laws/law_parts.h"
-#include "physics/grains/laws/law_sticky.h"
 #include "physics/grains/laws/law_table.h"
 #include "base/error.h"
 
@@ -79,9 +78,9 @@ struct law {
     bool moduli;   /* springs come from young and poisson of the materials */
     /* By two materials (law_place_of), symmetric; one entry without materials. Owned */
     struct law_coefficients *pair;
-    struct law_extra *extra;    /* of a law with parts */
-    struct law_sticky *sticky;  /* of a law with cohesion */
-    struct law_sticky farthest; /* what decides on ranges, the largest of all pairs (law_sticky_widen) */
+    struct law_extra *extra;  /* of a law with parts */
+    union law_sticky *sticky; /* of a law with cohesion */
+    union law_sticky widest;  /* each number the largest of all pairs: no pair reaches farther (law_part.h) */
     struct law_memory memory;
     int history_components; /* doubles of history a contact */
     int history_odd;        /* as many of them are components of vectors */
@@ -98,7 +97,7 @@ LAW_INLINE const struct law_coefficients *law_pair_of(const struct law *law, int
 LAW_INLINE const struct law_extra *law_extra_of(const struct law *law, int a, int b) {
     return &law->extra[law_place_of(law->materials, a, b)];
 }
-LAW_INLINE const struct law_sticky *law_sticky_at(const struct law *law, int a, int b) {
+LAW_INLINE const union law_sticky *law_sticky_at(const struct law *law, int a, int b) {
     return &law->sticky[law_place_of(law->materials, a, b)];
 }
 

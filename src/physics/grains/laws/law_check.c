@@ -3,6 +3,7 @@
 #include "physics/grains/laws/law_user.h"
 #include <math.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 /* Appends a word to a list. */
@@ -39,12 +40,23 @@ static void law_parts_of(const struct law_options *o, int chosen[LAW_PART_COUNT]
     chosen[LAW_PART_DAMPING] = o->damping;
 }
 
-/* The last row of each kind that a law without parts may have: such rows are not part of its title. */
-static const int law_usual[LAW_PART_COUNT] = {[LAW_PART_COHESION] = LAW_COHESION_NONE,
-                                              [LAW_PART_TANGENTIAL] = LAW_TANGENTIAL_HISTORY,
-                                              [LAW_PART_ROLLING] = LAW_ROLLING_SPRING,
-                                              [LAW_PART_TWISTING] = LAW_TWISTING_NONE,
-                                              [LAW_PART_DAMPING] = LAW_DAMPING_COUNT};
+/* True if a law without parts may have this row of a kind: it is no part of the law's title. */
+static bool law_usual(const struct law_options *o, enum law_part part) {
+    switch (part) {
+    case LAW_PART_COHESION:
+        return o->cohesion == LAW_COHESION_NONE;
+    case LAW_PART_TANGENTIAL:
+        return o->tangential <= LAW_TANGENTIAL_HISTORY;
+    case LAW_PART_ROLLING:
+        return law_rolling_form_of(o->rolling)->plain;
+    case LAW_PART_TWISTING:
+        return o->twisting == LAW_TWISTING_NONE;
+    case LAW_PART_DAMPING:
+    case LAW_PART_COUNT:
+        break;
+    }
+    return true;
+}
 
 void law_title(const struct law_options *options, char text[LAW_TITLE_MAX]) {
     int chosen[LAW_PART_COUNT], count;
@@ -57,7 +69,7 @@ void law_title(const struct law_options *options, char text[LAW_TITLE_MAX]) {
         char part[64];
         snprintf(part, sizeof part, "%s %s", law_part_key((enum law_part)k),
                  law_part_rows((enum law_part)k, &count)[chosen[k]].name);
-        if (chosen[k] > law_usual[k])
+        if (!law_usual(options, (enum law_part)k))
             law_list(text, LAW_TITLE_MAX, part);
     }
 }
@@ -78,43 +90,55 @@ bool law_check_parts(const struct law_options *o, struct error *error) {
     return true;
 }
 
+/* True if a value lies in a range "(0, inf)", "[0, 1)". */
+static bool law_in_range(const char *range, double value) {
+    char *at;
+    double low = strtod(range + 1, &at), high = strtod(at + 1, &at);
+    return isfinite(value) && (*range == '(' ? value > low : value >= low) &&
+           (*at == ')' ? value < high : value <= high);
+}
+
+/* The keys of the parts in use. */
+static bool law_check_keys(const struct law_extra *x, const struct law_options *o, const char *const name[2],
+                           struct error *error) {
+    int chosen[LAW_PART_COUNT], count, rows;
+    const struct law_given_key *key = law_given_keys(&count);
+    law_parts_of(o, chosen);
+    for (int k = 0; k < count; k++) {
+        const double value = *(const double *)((const char *)x + key[k].offset);
+        bool used = strcmp(law_part_rows(key[k].part, &rows)[chosen[key[k].part]].name, key[k].name) == 0;
+        bool absent = value == 0.0 && !key[k].required;
+        if (used && !absent && !law_in_range(key[k].range, value))
+            return error_set(error, ERROR_USER, "material pair %s, %s: %s is %g; allowed is %s", name[0],
+                             name[1], key[k].key, value, key[k].range);
+    }
+    const char *wrong = NULL;
+#define CASE(NAME, name, with, summary)                                                                      \
+    if (o->cohesion == LAW_COHESION_##NAME)                                                                  \
+        wrong = cohesion_##name##_wrong(&x->cohesion_##name);
+    LAW_COHESION_PARTS(CASE)
+#undef CASE
+    return !wrong || error_set(error, ERROR_USER, "material pair %s, %s: %s", name[0], name[1], wrong);
+}
+
 bool law_check_extra(const struct law_extra *x, const struct law_options *o, const char *const name[2],
                      struct error *error) {
-    bool surface = o->cohesion == LAW_COHESION_JKR || o->cohesion == LAW_COHESION_DMT;
-    bool wet = o->cohesion == LAW_COHESION_CAPILLARY, far = o->cohesion == LAW_COHESION_VAN_DER_WAALS;
-    bool friction = o->tangential != LAW_FRICTIONLESS, given = o->twisting == LAW_TWISTING_SDS;
+    bool friction = o->tangential != LAW_FRICTIONLESS;
     bool hysteresis = law_has_trait(o->normal, "hysteresis"), yields = law_has_trait(o->normal, "yield");
     bool cakes = law_has_trait(o->normal, "compaction");
     const struct {
         const char *key;
         double value, most;
         bool used, open;
-    } rows[] = {
-        {"surface_energy", x->surface_energy, INFINITY, surface, false},
-        {"cohesion_density", x->cohesion_density, INFINITY, o->cohesion == LAW_COHESION_SJKR, false},
-        {"surface_tension", x->surface_tension, INFINITY, wet, false},
-        {"contact_angle", x->contact_angle, 0.5 * M_PI, wet, false},
-        {"bridge_volume", x->bridge_volume, INFINITY, wet, false},
-        {"bridge_fraction", x->bridge_fraction, INFINITY, wet, false},
-        {"hamaker", x->hamaker, INFINITY, far, false},
-        {"gap_least", x->gap_least, x->cut_off, far, true},
-        {"cut_off", x->cut_off, INFINITY, far, true},
-        {"dissipative_time", x->dissipative_time, INFINITY, o->damping == LAW_DAMPING_VISCOELASTIC, false},
-        {"static_friction", x->static_friction, INFINITY, friction, false},
-        {"rolling_stiffness", x->rolling_stiffness, INFINITY, o->rolling != LAW_ROLLING_NONE, false},
-        {"rolling_damping", x->rolling_damping, INFINITY, o->rolling != LAW_ROLLING_NONE, false},
-        {"rolling_damping_ratio", x->rolling_damping_ratio, INFINITY, o->rolling == LAW_ROLLING_EPSD, false},
-        {"yield_pressure", x->yield_pressure, INFINITY, yields, true},
-        {"plasticity_ratio", x->plasticity_ratio, 1.0 - 1e-9, cakes, false},
-        {"adhesion_energy", x->adhesion_energy, INFINITY, cakes, false},
-        {"adhesion_exponent", x->adhesion_exponent, INFINITY, cakes, true},
-        {"pull_off", x->pull_off, INFINITY, cakes, false},
-        {"k_2", x->k_2, INFINITY, hysteresis, true},
-        {"k_c", x->k_c, INFINITY, hysteresis, false},
-        {"plasticity_depth", x->plasticity_depth, INFINITY, hysteresis, false},
-        {"twisting_stiffness", x->twisting_stiffness, INFINITY, given, true},
-        {"twisting_damping", x->twisting_damping, INFINITY, given, false},
-        {"twisting_friction", x->twisting_friction, INFINITY, given, false}};
+    } rows[] = {{"static_friction", x->static_friction, INFINITY, friction, false},
+                {"yield_pressure", x->yield_pressure, INFINITY, yields, true},
+                {"plasticity_ratio", x->plasticity_ratio, 1.0 - 1e-9, cakes, false},
+                {"adhesion_energy", x->adhesion_energy, INFINITY, cakes, false},
+                {"adhesion_exponent", x->adhesion_exponent, INFINITY, cakes, true},
+                {"pull_off", x->pull_off, INFINITY, cakes, false},
+                {"k_2", x->k_2, INFINITY, hysteresis, true},
+                {"k_c", x->k_c, INFINITY, hysteresis, false},
+                {"plasticity_depth", x->plasticity_depth, INFINITY, hysteresis, false}};
     for (size_t r = 0; r < sizeof rows / sizeof rows[0]; r++)
         if (rows[r].used &&
             !(isfinite(rows[r].value) && (rows[r].open ? rows[r].value > 0.0 : rows[r].value >= 0.0) &&
@@ -125,9 +149,5 @@ bool law_check_extra(const struct law_extra *x, const struct law_options *o, con
     if (o->user && x->parameters != o->user->law->parameters)
         return error_set(error, ERROR_USER, "material pair %s, %s: parameters: %d given; the law %s takes %d",
                          name[0], name[1], x->parameters, o->user->name, o->user->law->parameters);
-    if (wet && x->surface_tension > 0.0 && !(x->bridge_volume > 0.0) == !(x->bridge_fraction > 0.0))
-        return error_set(error, ERROR_USER,
-                         "material pair %s, %s: give one of bridge_volume and bridge_fraction, above 0",
-                         name[0], name[1]);
-    return true;
+    return law_check_keys(x, o, name, error);
 }

@@ -14,6 +14,7 @@
 #ifndef SCREE_LAWS_LAW_EEPA_H
 #define SCREE_LAWS_LAW_EEPA_H
 
+#include "physics/grains/laws/law_parts.h"
 #include "physics/grains/laws/law_root.h"
 #include "physics/grains/laws/law_spheres.h"
 

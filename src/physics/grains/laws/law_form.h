@@ -5,9 +5,9 @@
  *
  * How to add a law:
  *
- *   1. Write contact/law_NAME.h like its neighbours: the function law_NAME_springs, and a struct law_form
+ *   1. Write law_NAME.h like its neighbours: the function law_NAME_springs, and a struct law_form
  *      named law_NAME.
- *   2. Include the new header in law_table.h, and add a row to LAW_TABLE there.
+ *   2. Include the new header in law_table.h, and add a row to one of the tables there.
  *   3. List the file in src/physics/grains/laws/local.mk, and describe the law in docs/physics.md.
  *   4. Add the law to examples/step-fraction.sh, and what the script finds as `step_error` to the law.
  *
@@ -42,58 +42,16 @@ struct law_material {
     double young, poisson; /* of laws with moduli; pressure, 1 */
 };
 
-/* Coefficients of a pair of materials that parts add; only those of the parts in use are read. */
-struct law_extra {
-    double surface_energy;        /* gamma of jkr, dmt: energy/area; the work of adhesion is W = 2 gamma */
-    double cohesion_density;      /* sjkr: energy/volume */
-    double surface_tension;       /* capillary: force/length */
-    double contact_angle;         /* capillary: rad, 0 ... pi/2 */
-    double bridge_volume;         /* capillary: volume of a bridge; 0: by bridge_fraction */
-    double bridge_fraction;       /* capillary: volume over that of a sphere with radius 2 R* */
-    double hamaker;               /* van_der_waals: energy */
-    double gap_least;             /* van_der_waals: below this gap the force grows no more; length */
-    double cut_off;               /* van_der_waals: beyond this gap there is no force; length */
-    double dissipative_time;      /* viscoelastic: Brilliantov's A; time */
-    double static_friction;       /* limit of a contact that sticks; below `friction`: `friction` */
-    double rolling_stiffness;     /* spring: force/length; 0: the tangential spring's */
-    double rolling_damping;       /* spring with a stiffness: force time/length */
-    double rolling_damping_ratio; /* epsd: of the rolling oscillation */
-    double twisting_stiffness;    /* sds: torque/rad */
-    double twisting_damping;      /* sds: torque time/rad */
-    double k_2,
-        k_c; /* laws with hysteresis: slopes of the unloading and of the adhesive branch; force/length */
-    double
-        plasticity_depth;  /* overlap over the reduced radius at which the slope is k_2; 0: at any overlap */
-    double yield_pressure; /* laws with yield: pressure */
-    double plasticity_ratio;              /* eepa: lambda_p = 1 - k_1/k_2, 0 ... below 1 */
-    double adhesion_exponent;             /* eepa: chi of the adhesive branch */
-    double adhesion_energy;               /* eepa: delta gamma of the adhesive branch; energy/area */
-    double pull_off;                      /* eepa: constant pull while the surfaces touch; force */
-    double twisting_friction;             /* sds: limit of the torque over the normal force; length */
-    double parameter[LAW_PARAMETERS_MAX]; /* of a law of the user's */
-    int parameters;                       /* how many are given */
-};
+struct law_extra; /* law_parts.h */
 
-/* Coefficients of a pair of materials (scene key `material_pairs`; missing pairs are an error unless one
- * default is given). */
-struct law_pair {
-    double restitution;      /* 0 ... 1 */
-    double friction;         /* Coulomb coefficient mu >= 0 */
-    double rolling_friction; /* mu_r >= 0 */
-    double k_n, k_t;         /* of laws without moduli, or with given damping: stiffness; force/length, or of
-                                laws with moduli force/length^2, times the contact radius */
-    double gamma_n, gamma_t; /* given damping, per unit of effective mass: 1/time, or of laws with moduli
-                                1/(time length), times the contact radius */
-    struct law_extra extra;
-};
-
-/* Input of the kernel for a pair of materials, made once. */
+/* Input of the kernel for a pair of materials, made once. k_n, k_t: of the springs; the form defines their meaning. c_n: coefficients
+ * given: gamma_n, times m* and the form's contact; restitution: the form's `damper` times the damping ratio, times sqrt(m* x elastic
+ * force / overlap). c_t: the same for the tangential damper; the rolling spring takes k_t and c_t too. Batches of contacts have a
+ * column for each (batch/force_kernel.h). */
+#define LAW_COEFFICIENT_TABLE(ROW) ROW(k_n) ROW(k_t) ROW(c_n) ROW(c_t) ROW(friction) ROW(rolling_friction)
+#define LAW_COEFFICIENT_MEMBER(member) double member;
 struct law_coefficients {
-    double k_n, k_t; /* of the springs; the form defines their meaning */
-    double c_n;      /* coefficients given: gamma_n, times m* and the form's contact; restitution: the form's
-                   `damper` times the damping ratio, times sqrt(m* x elastic force / overlap) */
-    double c_t;      /* the same for the tangential damper; the rolling spring takes k_t and c_t too */
-    double friction, rolling_friction;
+    LAW_COEFFICIENT_TABLE(LAW_COEFFICIENT_MEMBER)
 };
 
 /* The springs of one contact. */

@@ -38,12 +38,11 @@ static double grip_loss(const struct law *law, const struct law_surfaces *surfac
 bool law_general_rubs(const struct law *law) {
     const struct law_options *o = &law->options;
     bool plain = law->general && o->tangential <= LAW_TANGENTIAL_HISTORY &&
-                 o->rolling <= LAW_ROLLING_SPRING && o->twisting == LAW_TWISTING_NONE &&
+                 law_rolling_form_of(o->rolling)->plain && o->twisting == LAW_TWISTING_NONE &&
                  !o->lammps_granular && law->memory.slides < 0;
     for (int a = 0; a < law->materials; a++)
         for (int b = 0; b <= a; b++)
-            plain = plain &&
-                    !(o->rolling == LAW_ROLLING_SPRING && law_extra_of(law, a, b)->rolling_stiffness > 0.0);
+            plain = plain && !law_rolling_general(o->rolling, law_extra_of(law, a, b));
     return plain;
 }
 
@@ -70,8 +69,8 @@ bool law_general_push(const struct law *law, struct law_step step, struct law_ge
         return false;
     }
     past_put(law, &past, in->value);
-    *push = law_push_of(law_manner_of(options), &grip, contact->coefficients.c_n, contact->mass,
-                        law_dot(contact->velocity, contact->normal));
+    *push = law_push_of(law_manner_of(options, options->cohesion), &grip, contact->coefficients.c_n,
+                        contact->mass, law_dot(contact->velocity, contact->normal));
     push->before = before;
     return true;
 }
@@ -101,7 +100,7 @@ struct law_stiff law_general_stiff(const struct law *law, const struct law_surfa
                                    double overlap) {
     const struct law_options *options = &law->options;
     struct law_grip grip = law_grip_at(options, surfaces, overlap, &(struct law_past){.held = true});
-    double base = law_damper_base(law_manner_of(options), &grip, mass);
+    double base = law_damper_base(law_manner_of(options, options->cohesion), &grip, mass);
     struct law_stiff stiff = {.k_n = fmax(grip.tangent, 0.0), .c_n = surfaces->c->c_n * base};
     if (law->spin && grip.touches)
         law_resist_stiff(law, surfaces, &(struct law_hold){&grip, 0.0, base}, mass, &stiff);

@@ -19,27 +19,27 @@ struct law_push {
 
 /* What the push takes of the options. */
 struct law_manner {
-    enum law_damping damping;
+    enum law_base base;
     double tangent; /* of the law's form */
     bool least,
         fixed; /* the damper may pull no harder than the grip; friction's limit counts the grip, not the damper */
 };
 
-LAW_INLINE struct law_manner law_manner_of(const struct law_options *options) {
-    return (struct law_manner){.damping = options->damping,
+/* `cohesion`: that of the options, a constant in a loop that is specialised for it. */
+LAW_INLINE struct law_manner law_manner_of(const struct law_options *options, enum law_cohesion cohesion) {
+    return (struct law_manner){.base = law_damping_form_of(options->damping)->base,
                                .tangent = law_form_of(options)->tangent,
                                .least = options->end == LAW_END_FORCE,
-                               .fixed = options->cohesion == LAW_COHESION_JKR ||
-                                        options->cohesion == LAW_COHESION_DMT};
+                               .fixed = law_cohesion_form_of(cohesion)->fixed};
 }
 
 /* The damper's coefficient over c_n: the base of all dampers. */
 LAW_INLINE double law_damper_base(struct law_manner manner, const struct law_grip *grip, double mass) {
     double root = sqrt(mass * grip->spring);
     double of_spring = manner.tangent * grip->spring; /* A dF/dd of the spring alone */
-    double base = manner.damping == LAW_DAMPING_COEFFICIENT    ? mass * grip->factor
-                  : manner.damping == LAW_DAMPING_VISCOELASTIC ? of_spring
-                                                               : root;
+    double base = manner.base == LAW_BASE_MASS    ? mass * grip->factor
+                  : manner.base == LAW_BASE_SLOPE ? of_spring
+                                                  : root;
     return grip->touches ? base : 0.0;
 }
 

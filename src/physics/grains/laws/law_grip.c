@@ -2,32 +2,32 @@
 /* The normal direction of a law with parts. Read law_grip.h first. */
 #include "physics/grains/laws/law_grip.h"
 
-/* JKR takes the place of Hertz's force, around the dent that plastic flow has left, which is remembered as long as the
+/* An adhesion takes the place of the law's force, around the dent that plastic flow has left, which is remembered as long as the
  * spheres overlap. */
-static struct law_grip grip_jkr(const struct law_options *options, const struct law_surfaces *s,
-                                double overlap, struct law_past *past) {
-    double modulus = law_modulus(s->c), gamma = s->extra->surface_energy;
+static struct law_grip grip_adhesion(const struct law_options *options, const union law_sticky *sticky,
+                                     const struct law_surfaces *s, double overlap, struct law_past *past) {
     const struct law_form *form = law_form_of(options);
     struct law_flat flat = {s->effective, 0.0};
     if (form->flatten) {
         past->number[0] = fmax(past->number[0], overlap);
         flat = form->flatten(s->c, s->extra, s->effective, past->number[0]);
     }
-    struct law_grip grip = law_grip_jkr(s->c, law_jkr_length(modulus, gamma), gamma, flat.radius,
-                                        overlap - flat.left, options->jkr_end, &past->held);
+    struct law_grip grip =
+        law_adhesion_grip(options, sticky, s->c, flat.radius, overlap - flat.left, &past->held);
     if (!past->held)
         return (struct law_grip){.interacts = overlap > 0.0};
-    if (!past->no_energy) { /* counts from where the contact breaks, and nothing is left there */
-        double last = law_jkr_end_radius(modulus, gamma, flat.radius, options->jkr_end);
-        grip.energy -= law_jkr_at(modulus, gamma, flat.radius, last).energy;
-    }
+    if (!past->no_energy) /* counts from where the contact breaks, and nothing is left there */
+        grip.energy -= law_adhesion_last(options, sticky, s->c, flat.radius);
     return grip;
 }
 
-/* JKR takes the place of the force at touch. */
-static bool is_jkr(const struct law_options *options, const struct law_surfaces *s) {
-    return options->cohesion == LAW_COHESION_JKR &&
-           (law_form_of(options)->flatten == NULL || s->extra->surface_energy > 0.0);
+/* True if an adhesion takes the place of the force at touch; its numbers. */
+static bool adheres(const struct law_options *options, const struct law_surfaces *s,
+                    union law_sticky *sticky) {
+    if (!law_adheres(options->cohesion))
+        return false;
+    *sticky = law_sticky_of(options->cohesion, s->c, s->extra);
+    return law_form_of(options)->flatten == NULL || law_adhesion_sticks(options->cohesion, sticky);
 }
 
 /* The contact radius of spheres that do not stick, after the largest overlap that they remember. */
@@ -43,8 +43,9 @@ struct law_grip law_grip_at(const struct law_options *options, const struct law_
                             struct law_past *past) {
     const struct law_form *form = law_form_of(options);
     struct law_springs springs = {0};
-    if (is_jkr(options, s))
-        return grip_jkr(options, s, overlap, past);
+    union law_sticky sticky;
+    if (adheres(options, s, &sticky))
+        return grip_adhesion(options, &sticky, s, overlap, past);
     if (overlap > 0.0)
         springs = form->unload ? form->unload(s->c, s->extra, s->effective, overlap, past->number)
                                : law_springs_of(options, s->c, s->extra, s->effective, overlap);
@@ -62,7 +63,7 @@ struct law_grip law_grip_at(const struct law_options *options, const struct law_
 }
 
 bool law_grip_radius_recalls(const struct law *law) {
-    return law->options.cohesion == LAW_COHESION_JKR || law_form_of(&law->options)->flatten != NULL;
+    return law_adheres(law->options.cohesion) || law_form_of(&law->options)->flatten != NULL;
 }
 
 double law_grip_radius(const struct law *law, const struct law_surfaces *s, double overlap,
@@ -71,8 +72,9 @@ double law_grip_radius(const struct law *law, const struct law_surfaces *s, doub
     if (record && law->general)
         past = law_grip_past(law, record);
     past.no_energy = true;
-    if (is_jkr(&law->options, s))
-        return grip_jkr(&law->options, s, overlap, &past).a;
+    union law_sticky sticky;
+    if (adheres(&law->options, s, &sticky))
+        return grip_adhesion(&law->options, &sticky, s, overlap, &past).a;
     return overlap > 0.0 ? radius_of(law_form_of(&law->options), s, overlap, &past) : 0.0;
 }
 

@@ -98,7 +98,7 @@ LAW_INLINE struct law_case law_case_of(const struct law_options *options, bool e
         friction && (options->rolling != LAW_ROLLING_NONE || options->twisting != LAW_TWISTING_NONE);
     bool empty = law_has_trait(options->normal, "file") && options->user == NULL;
     return (struct law_case){.normal = empty ? law_linear() : options->normal,
-                             .coefficient = options->damping == LAW_DAMPING_COEFFICIENT,
+                             .coefficient = law_damping_form_of(options->damping)->given,
                              .friction = friction,
                              .rolling = rolling,
                              .synchronised = options->synchronised,

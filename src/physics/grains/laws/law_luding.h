@@ -7,7 +7,11 @@
 #ifndef SCREE_LAWS_LAW_LUDING_H
 #define SCREE_LAWS_LAW_LUDING_H
 
+#include "physics/grains/laws/law_parts.h"
 #include "physics/grains/laws/law_spring.h"
+
+/* The members of struct law_extra that the branches take. */
+#define LAW_LUDING_NUMBERS(NUMBER) NUMBER(k_2) NUMBER(k_c) NUMBER(plasticity_depth)
 
 LAW_INLINE struct law_springs law_luding_springs(const struct law_coefficients *c, double radius,
                                                  double overlap) {

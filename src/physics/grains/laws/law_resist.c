@@ -84,32 +84,20 @@ static void resist_slide(struct resist *r) {
     r->out->moment = law_cross(force, in->normal);
 }
 
-/* The inertia against rolling of two spheres of one density, 1 / (5/(7 m_i r_i^2) + 5/(7 m_j r_j^2)), by their effective
- * mass and radii; that of the sphere at a wall. */
-static double rolling_inertia(const double radius[2], double effective, double mass) {
-    double a = radius[0], b = radius[1], aa = a * a, bb = b * b;
-    if (isinf(a) || isinf(b))
-        return 1.4 * mass * effective * effective;
-    return 1.4 * mass * (aa * bb) * (aa * a + bb * b) / (aa * aa * a + bb * bb * b);
+/* What resistances see of a contact. */
+static struct law_touch touch_of(const struct law_surfaces *s, const struct law_hold *hold, double mass) {
+    return (struct law_touch){s->c, {s->radius[0], s->radius[1], s->effective}, hold->grip, hold->base, mass};
 }
 
-/* Stiffness and damper of rolling, per displacement R* x angle. */
-static void rolling_spring(const struct law *law, const struct law_surfaces *s, const struct law_hold *hold,
-                           double mass, double *stiffness, double *damping) {
-    double friction = s->c->rolling_friction;
-    *stiffness = hold->grip->tangential;
-    *damping = s->c->c_t * hold->base;
-    if (law->options.rolling == LAW_ROLLING_SPRING && s->extra->rolling_stiffness > 0.0) {
-        *stiffness = s->extra->rolling_stiffness;
-        *damping = s->extra->rolling_damping;
-    }
-    if (law->options.rolling == LAW_ROLLING_EPSD) {
-        double inertia = rolling_inertia(s->radius, s->effective, mass) / (s->effective * s->effective);
-        *stiffness = 2.25 * hold->grip->spring * friction * friction;
-        *damping = 2.0 * s->extra->rolling_damping_ratio * sqrt(inertia * *stiffness);
-    }
-    if (law->options.rolling == LAW_ROLLING_CONSTANT)
-        *stiffness = *damping = 0.0;
+static struct law_resistance rolling_of(const struct law *law, const struct law_surfaces *s,
+                                        const struct law_hold *hold, double mass) {
+    const struct law_touch touch = touch_of(s, hold, mass);
+#define CASE(NAME, name, with, summary)                                                                      \
+    if (law->options.rolling == LAW_ROLLING_##NAME)                                                          \
+        return rolling_##name##_resist(&s->extra->rolling_##name, &touch);
+    LAW_ROLLING_PARTS(CASE)
+#undef CASE
+    return (struct law_resistance){0};
 }
 
 static void resist_roll(struct resist *r) {
@@ -117,56 +105,54 @@ static void resist_roll(struct resist *r) {
     struct law_surfaces s = {
         &in->coefficients, r->in->extra, {r->in->radius[0], r->in->radius[1]}, in->radius};
     struct law_vector rate = law_scale(in->radius, law_project(in->spin, r->plane)), force;
-    double limit = in->coefficients.rolling_friction * r->hold->press, stiffness, damping;
+    double limit = in->coefficients.rolling_friction * r->hold->press;
     int at = r->law->memory.roll;
-    rolling_spring(r->law, &s, r->hold, in->mass, &stiffness, &damping);
+    struct law_resistance rolling = rolling_of(r->law, &s, r->hold, in->mass);
     if (at < 0) {
         force = law_scale(-limit / fmax(sqrt(law_dot(rate, rate)), resist_tiny), rate);
         r->out->taken -= r->step.dt * law_dot(force, rate);
     } else {
         struct law_vector spring = vector_at(r->in->value + at);
-        bool epsd = r->law->options.rolling == LAW_ROLLING_EPSD;
-        force =
-            law_slide(r->kind, r->step, in, rate, &spring, stiffness, epsd ? 0.0 : damping, limit, r->out);
-        if (epsd &&
-            law_dot(force, force) < limit * limit * (1.0 - 1e-12)) { /* the dashpot rests at the limit */
-            force = law_add(force, -damping, rate);
-            r->out->taken += r->step.dt * damping * law_dot(rate, rate);
+        bool rests = law_rolling_form_of(r->law->options.rolling)->rests;
+        force = law_slide(r->kind, r->step, in, rate, &spring, rolling.stiffness,
+                          rests ? 0.0 : rolling.damping, limit, r->out);
+        if (rests && law_dot(force, force) < limit * limit * (1.0 - 1e-12)) {
+            force = law_add(force, -rolling.damping, rate);
+            r->out->taken += r->step.dt * rolling.damping * law_dot(rate, rate);
         }
         vector_put(r->in->value + at, spring);
     }
     r->out->rolling = law_add(r->out->rolling, in->radius, force);
 }
 
-/* Stiffness, damper and limit of twisting. */
-static void twisting_spring(const struct law *law, const struct law_surfaces *s, const struct law_hold *hold,
-                            double *stiffness, double *damping, double *friction) {
-    double a = hold->grip->a;
-    *stiffness = s->extra->twisting_stiffness;
-    *damping = s->extra->twisting_damping;
-    *friction = s->extra->twisting_friction;
-    if (law->options.twisting != LAW_TWISTING_MARSHALL)
-        return;
-    *stiffness = 0.5 * hold->grip->tangential * a * a;
-    *damping = 0.5 * s->c->c_t * hold->base * a * a;
-    *friction = 2.0 / 3.0 * a * s->c->friction;
+static struct law_resistance twisting_of(const struct law *law, const struct law_surfaces *s,
+                                         const struct law_hold *hold, double mass) {
+    const struct law_touch touch = touch_of(s, hold, mass);
+#define CASE(NAME, name, with, summary)                                                                      \
+    if (law->options.twisting == LAW_TWISTING_##NAME)                                                        \
+        return twisting_##name##_resist(&s->extra->twisting_##name, &touch);
+    LAW_TWISTING_PARTS(CASE)
+#undef CASE
+    return (struct law_resistance){0};
 }
 
 static void resist_twist(struct resist *r) {
     const struct law_contact *in = &r->in->contact;
     struct law_surfaces s = {
         &in->coefficients, r->in->extra, {r->in->radius[0], r->in->radius[1]}, in->radius};
-    double stiffness, damping, friction, *angle = &r->in->value[r->law->memory.twist];
-    twisting_spring(r->law, &s, r->hold, &stiffness, &damping, &friction);
+    double *angle = &r->in->value[r->law->memory.twist];
+    struct law_resistance twisting = twisting_of(r->law, &s, r->hold, in->mass);
     double rate = law_dot(in->spin, in->normal), trial = *angle + r->step.dt * rate;
-    double torque = -stiffness * trial - damping * rate, limit = friction * r->hold->press;
+    double torque = -twisting.stiffness * trial - twisting.damping * rate,
+           limit = twisting.limit * r->hold->press;
     bool over = fabs(torque) > limit;
     double cut = over ? copysign(limit, r->law->options.lammps_granular ? -rate : torque) : torque;
-    double give = fmax(stiffness + damping * r->step.relaxation, resist_tiny), before = *angle;
+    double give = fmax(twisting.stiffness + twisting.damping * r->step.relaxation, resist_tiny),
+           before = *angle;
     *angle = over ? trial + (torque - cut) / give : trial;
     r->out->rolling = law_add(r->out->rolling, cut, in->normal);
-    r->out->spring_energy += 0.5 * stiffness * *angle * *angle;
-    r->out->taken -= r->step.dt * rate * (cut + 0.5 * stiffness * (*angle - before));
+    r->out->spring_energy += 0.5 * twisting.stiffness * *angle * *angle;
+    r->out->taken -= r->step.dt * rate * (cut + 0.5 * twisting.stiffness * (*angle - before));
 }
 
 void law_resist_forget(const struct law *law, double *value) {
@@ -196,16 +182,18 @@ void law_resist(const struct law *law, struct law_step step, struct law_general 
 
 void law_resist_stiff(const struct law *law, const struct law_surfaces *s, const struct law_hold *hold,
                       double mass, struct law_stiff *stiff) {
-    double limit;
     if (s->c->friction > 0.0) {
         stiff->k_t = law->memory.spring >= 0 ? hold->grip->tangential : 0.0;
         stiff->c_t = s->c->c_t * hold->base;
     }
-    if (law->options.rolling != LAW_ROLLING_NONE && s->c->rolling_friction > 0.0)
-        rolling_spring(law, s, hold, mass, &stiff->k_r, &stiff->c_r);
-    if (law->options.twisting != LAW_TWISTING_NONE) {
-        twisting_spring(law, s, hold, &stiff->k_w, &stiff->c_w, &limit);
-        if (limit == 0.0)
-            stiff->k_w = stiff->c_w = 0.0;
+    if (law->options.rolling != LAW_ROLLING_NONE && s->c->rolling_friction > 0.0) {
+        struct law_resistance rolling = rolling_of(law, s, hold, mass);
+        stiff->k_r = rolling.stiffness;
+        stiff->c_r = rolling.damping;
+    }
+    struct law_resistance twisting = twisting_of(law, s, hold, mass);
+    if (twisting.limit != 0.0) {
+        stiff->k_w = twisting.stiffness;
+        stiff->c_w = twisting.damping;
     }
 }

@@ -34,6 +34,11 @@
     ROW(LUDING, luding, "stiffness hysteresis",                                                              \
         "plastic, adhesive grains: linear springs, steeper on unloading, with a pull after compression")
 
+/* The members of struct law_extra that these take, one after another: columns of a batch of contacts. */
+#define LAW_BRANCH_NUMBERS(NUMBER) LAW_LUDING_NUMBERS(NUMBER)
+#define LAW_BRANCH_PLACE(member) LAW_BRANCH_##member,
+enum { LAW_BRANCH_NUMBERS(LAW_BRANCH_PLACE) LAW_BRANCH_COUNT };
+
 /* Laws whose contacts go through the general loop (law_general.h); LAW_TABLE: all laws. */
 #define LAW_PLASTIC_TABLE(ROW)                                                                               \
     LAW_BRANCH_TABLE(ROW)                                                                                    \

@@ -3,7 +3,7 @@
  * Thornton and Ning (Powder Technol. 99 (1998) 154). Elastic as Hertz or JKR until the pressure in the middle of the
  * contact reaches the yield pressure p, at the contact radius a_y; from there on the pressure in the middle stays p; unloading
  * and reloading as Hertz or JKR with the flattened radius R_p around the overlap d_p that is left. With s of
- * law_jkr.h, 0 without surface energy, and the contact radius a as parameter,
+ * parts/cohesion_jkr.h, 0 without surface energy, and the contact radius a as parameter,
  *
  *   yield     p = E* / pi (2 a_y/R* - s/sqrt(a_y))
  *   loading   F = F_y + pi p (a^2 - a_y^2) - 2 E* s a_y (sqrt(a) - sqrt(a_y)),  d = a^2/R* - s sqrt(a)
@@ -15,7 +15,7 @@
 #ifndef SCREE_LAWS_LAW_THORNTON_H
 #define SCREE_LAWS_LAW_THORNTON_H
 
-#include "physics/grains/laws/law_jkr.h"
+#include "physics/grains/laws/law_parts.h"
 #include "physics/grains/laws/law_spheres.h"
 
 LAW_INLINE struct law_springs law_thornton_springs(const struct law_coefficients *c, double radius,
@@ -50,7 +50,8 @@ LAW_INLINE struct law_flat law_thornton_flat(double modulus, double gamma, doubl
 
 static inline struct law_flat law_thornton_sticky(const struct law_coefficients *c,
                                                   const struct law_extra *extra, double radius, double most) {
-    return law_thornton_flat(0.75 * c->k_n, extra->surface_energy, extra->yield_pressure, radius, most);
+    return law_thornton_flat(0.75 * c->k_n, extra->cohesion_jkr.surface_energy, extra->yield_pressure, radius,
+                             most);
 }
 
 static inline struct law_springs law_thornton_unload(const struct law_coefficients *c,

@@ -24,9 +24,9 @@ libcontact_la_SOURCES = \
 	src/physics/grains/laws/law_hooke.h \
 	src/physics/grains/laws/law_grip.c \
 	src/physics/grains/laws/law_grip.h \
-	src/physics/grains/laws/law_jkr.h \
 	src/physics/grains/laws/law_kernel.h \
 	src/physics/grains/laws/law_luding.h \
+	src/physics/grains/laws/law_part.h \
 	src/physics/grains/laws/law_parts.c \
 	src/physics/grains/laws/law_parts.h \
 	src/physics/grains/laws/law_resist.c \
@@ -37,8 +37,6 @@ libcontact_la_SOURCES = \
 	src/physics/grains/laws/law_restitution.h \
 	src/physics/grains/laws/law_table.c \
 	src/physics/grains/laws/law_spring.h \
-	src/physics/grains/laws/law_sticky.c \
-	src/physics/grains/laws/law_sticky.h \
 	src/physics/grains/laws/law_springs.c \
 	src/physics/grains/laws/law_user.c \
 	src/physics/grains/laws/law_user.h \
@@ -48,6 +46,9 @@ libcontact_la_SOURCES = \
 	src/physics/grains/laws/law_thornton.h
 libcontact_la_CPPFLAGS = $(AM_CPPFLAGS) $(KERNEL_CPPFLAGS)
 libcontact_la_LIBADD = libforce_baseline.la
+
+# The folder has a header a part: a new one needs no line here
+EXTRA_DIST += src/physics/grains/laws/parts
 
 # A law of the user's is compiled against the text of this header
 include_HEADERS += src/physics/grains/laws/scree_law.h

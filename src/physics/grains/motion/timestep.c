@@ -61,7 +61,7 @@ struct timestep_springs timestep_springs(const struct law *law, int a, int b, do
         return timestep_general(law, &surfaces, mass, overlap);
     }
     struct law_springs springs = law_springs_of(options, c, law_extra_of(law, a, b), radius, overlap);
-    bool given = options->damping == LAW_DAMPING_COEFFICIENT;
+    bool given = law_damping_form_of(options->damping)->given;
     double base = given ? mass * springs.contact : sqrt(mass * springs.stiffness);
     struct timestep_springs s = {.k_n = springs.tangent, .c_n = c->c_n * base};
     if (law->spin && c->friction > 0.0) {

@@ -7,11 +7,28 @@
  *
  * The largest pull is 3/2 pi W R*, at a^3 = 9/16 s^2 R*^2; the pull-off distance, dd/da = 0, lies at
  * a^3 = s^2 R*^2 / 16, where the force is 5/9 of that. */
-#ifndef SCREE_LAWS_LAW_JKR_H
-#define SCREE_LAWS_LAW_JKR_H
+#ifndef SCREE_LAWS_COHESION_JKR_H
+#define SCREE_LAWS_COHESION_JKR_H
 
-#include "physics/grains/laws/law_parts.h"
+#include "physics/grains/laws/law_part.h"
 #include "physics/grains/laws/law_root.h"
+
+#define COHESION_JKR_KEYS(KEY)                                                                               \
+    KEY(jkr, surface_energy, "[0, inf)", .unit = "J/m2", .required = true, .example = "0.05 J/m2",           \
+        .help = "surface energy gamma; the work of adhesion is W = 2 gamma")
+struct cohesion_jkr_given {
+    COHESION_JKR_KEYS(LAW_GIVEN_MEMBER)
+};
+
+/* `length`: law_jkr_length */
+#define COHESION_JKR_NUMBERS(NUMBER) NUMBER(jkr, surface_energy) NUMBER(jkr, length)
+struct cohesion_jkr {
+    COHESION_JKR_NUMBERS(LAW_NUMBER_MEMBER)
+};
+
+/* Where a contact ends as it is pulled apart: at the pull-off distance, where no equilibrium is left at
+ * a given distance; or at the largest pull, which a given force cannot exceed (LAMMPS). */
+enum law_jkr_end { LAW_JKR_END_DISTANCE, LAW_JKR_END_FORCE };
 
 /* One state of a contact: contact radius, force (positive: repulsion), dF/dd, energy. */
 struct law_jkr {
@@ -82,5 +99,61 @@ LAW_INLINE double law_jkr_end_gap(double s, double radius, enum law_jkr_end end)
 LAW_INLINE bool law_jkr_holds(double s, double radius, double overlap, enum law_jkr_end end) {
     return -overlap * overlap * overlap < law_jkr_end_cube(s, radius, end);
 }
+
+static inline const char *cohesion_jkr_wrong(const struct cohesion_jkr_given *given) {
+    (void)given;
+    return NULL;
+}
+
+static inline struct cohesion_jkr cohesion_jkr_of(const struct law_coefficients *c,
+                                                  const struct cohesion_jkr_given *given) {
+    return (struct cohesion_jkr){.surface_energy = given->surface_energy,
+                                 .length = law_jkr_length(law_modulus(c), given->surface_energy)};
+}
+
+static inline bool cohesion_jkr_sticks(const struct cohesion_jkr *p) {
+    return p->surface_energy > 0.0;
+}
+
+/* The gap at which a contact breaks. */
+static inline double cohesion_jkr_range(const struct cohesion_jkr *p, double radius, enum law_jkr_end end) {
+    return law_jkr_end_gap(p->length, radius, end);
+}
+
+/* The energy of a contact as it breaks, counted from a = 0. */
+static inline double cohesion_jkr_last(const struct cohesion_jkr *p, const struct law_coefficients *c,
+                                       double radius, enum law_jkr_end end) {
+    double last = law_jkr_end_radius(law_modulus(c), p->surface_energy, radius, end);
+    return law_jkr_at(law_modulus(c), p->surface_energy, radius, last).energy;
+}
+
+/* The normal direction at the overlap `depth` of spheres with the effective radius `radius`; updates `held`. As a^2/R* = d + s
+ * sqrt(a), the force is 2/3 E* a (2 d - s sqrt(a)). The energy counts from a = 0. */
+LAW_INLINE struct law_grip cohesion_jkr_grip(const struct cohesion_jkr *p, const struct law_coefficients *c,
+                                             double radius, double depth, enum law_jkr_end end, bool *held) {
+    double modulus = law_modulus(c), s = p->length;
+    bool holds = depth > 0.0 || (*held && law_jkr_holds(s, radius, depth, end));
+    double largest = law_jkr_root(s, radius, depth), root = holds ? largest : 0.0, a = root * root;
+    double force = 2.0 / 3.0 * modulus * a * (2.0 * depth - s * root);
+    struct law_jkr now = law_jkr_state(modulus, s, radius, root);
+    *held = holds;
+    return (struct law_grip){.interacts = holds,
+                             .touches = holds,
+                             .force = force,
+                             .least = force < 0.0 ? force : 0.0,
+                             .press = holds ? 6.0 * M_PI * p->surface_energy * radius : 0.0,
+                             .a = a,
+                             .spring = c->k_n * a,
+                             .factor = a,
+                             .tangent = now.tangent,
+                             .tangential = c->k_t * a,
+                             .energy = now.energy};
+}
+
+static const struct law_cohesion_form cohesion_jkr_form = {
+    .remembers = true,
+    .fixed = true,
+    .press = 1.0,
+    .step_error = {0.0023, 0.0034, 0.0075, 0.017, 0.02, 0.028, 0.033}};
 
 #endif
