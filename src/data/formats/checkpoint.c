@@ -57,6 +57,24 @@ static bool put_counts(struct checkpoint_writing *w, const char *name, const siz
     return good;
 }
 
+/* Writes the values of rows, and behind them `apart` numbers of their separations: 0 or 3. */
+static bool put_values(struct checkpoint_writing *w, const char *name, const struct history_rows *rows,
+                       size_t apart, struct error *error) {
+    size_t width = checkpoint_history_width(rows->components) + apart;
+    double *value = memory_allocate_zero(rows->count * width, sizeof *value, "history rows");
+    for (size_t k = 0; k < rows->count; k++) {
+        double *to = value + k * width;
+        memcpy(to, rows->row[k].value, (size_t)rows->components * sizeof *to);
+        memcpy(to + width - apart, rows->row[k].separation, apart * sizeof *to);
+    }
+    struct h5_table table = place_rows(w->comm, rows->count);
+    table.type = FIELD_DOUBLE;
+    table.width = width;
+    bool good = checkpoint_put(w, name, &table, value, error);
+    memory_free(value);
+    return good;
+}
+
 /* Writes the rows of pairs of a group: "history", or a physics. */
 static bool put_rows(struct checkpoint_writing *w, const char *group, const struct history_rows *rows,
                      struct error *error) {
@@ -65,23 +83,13 @@ static bool put_rows(struct checkpoint_writing *w, const char *group, const stru
     if (!put_counts(w, name[CHECKPOINT_ROWS_COUNT], rows->start, error))
         return false;
     int64_t *partner = memory_allocate(rows->count, sizeof *partner, "history rows");
-    size_t width = checkpoint_history_width(rows->components);
-    double *value = memory_allocate_zero(rows->count * (width + 3), sizeof *value, "history rows");
-    for (size_t k = 0; k < rows->count; k++) {
-        double *to = value + k * (width + 3);
+    for (size_t k = 0; k < rows->count; k++)
         partner[k] = rows->row[k].partner;
-        memcpy(to, rows->row[k].value, (size_t)rows->components * sizeof *to);
-        memcpy(to + width, rows->row[k].separation, sizeof rows->row[k].separation);
-    }
     struct h5_table table = place_rows(w->comm, rows->count);
     table.type = FIELD_INT64;
     bool good = checkpoint_put(w, name[CHECKPOINT_ROWS_PARTNER], &table, partner, error);
-    table.type = FIELD_DOUBLE;
-    table.width = width + 3;
-    good = good && checkpoint_put(w, name[CHECKPOINT_ROWS_VALUE], &table, value, error);
     memory_free(partner);
-    memory_free(value);
-    return good;
+    return good && put_values(w, name[CHECKPOINT_ROWS_VALUE], rows, 3, error);
 }
 
 static bool put_wall_history(struct checkpoint_writing *w, struct error *error) {
@@ -89,23 +97,16 @@ static bool put_wall_history(struct checkpoint_writing *w, struct error *error) 
     if (!put_counts(w, "/wall_history/count", rows->start, error))
         return false;
     int32_t(*place)[2] = memory_allocate(rows->count, sizeof *place, "wall history rows");
-    size_t width = checkpoint_history_width(rows->components);
-    double *value = memory_allocate_zero(rows->count * width, sizeof *value, "wall history rows");
     for (size_t k = 0; k < rows->count; k++) {
         place[k][0] = wall_row_wall(&rows->row[k]);
         place[k][1] = wall_row_feature(&rows->row[k]);
-        memcpy(value + k * width, rows->row[k].value, (size_t)rows->components * sizeof *value);
     }
     struct h5_table table = place_rows(w->comm, rows->count);
     table.type = FIELD_INT32;
     table.width = 2;
     bool good = checkpoint_put(w, "/wall_history/wall_patch", &table, place, error);
-    table.type = FIELD_DOUBLE;
-    table.width = width;
-    good = good && checkpoint_put(w, "/wall_history/value", &table, value, error);
     memory_free(place);
-    memory_free(value);
-    return good;
+    return good && put_values(w, "/wall_history/value", rows, 0, error);
 }
 
 static bool put_all(struct checkpoint_writing *w, struct error *error) {

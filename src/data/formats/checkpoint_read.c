@@ -124,65 +124,61 @@ static bool get_starts(struct checkpoint_reading *r, const char *counts, const c
     return comm_agree(r->comm, error);
 }
 
+/* Fills rows but for their partners: the id of their particle, and what put_values has written. */
+static bool get_values(struct checkpoint_reading *r, const char *name, struct h5_table place, size_t apart,
+                       const struct particles *p, struct history_rows *rows, struct error *error) {
+    size_t width = checkpoint_history_width(rows->components) + apart;
+    double *value = memory_allocate(place.count * width, sizeof *value, "history rows");
+    place.type = FIELD_DOUBLE;
+    place.width = width;
+    bool good = get(r, name, &place, value, error);
+    rows->count = good ? place.count : 0;
+    for (uint64_t i = 0; good && i < r->count; i++)
+        for (size_t k = rows->start[i]; k < rows->start[i + 1]; k++) {
+            const double *from = value + k * width;
+            rows->row[k].id = p->id[i];
+            memcpy(rows->row[k].value, from, (width - apart) * sizeof *from);
+            memcpy(rows->row[k].separation, from + width - apart, apart * sizeof *from);
+        }
+    memory_free(value);
+    return good;
+}
+
 /* Reads the rows of pairs of a group; `components` is that of the file. */
 static bool get_rows(struct checkpoint_reading *r, const char *group, const struct particles *p,
                      int components, struct history_rows *rows, struct error *error) {
     char name[CHECKPOINT_ROWS_NAMES][OUTPUT_NAME_MAX];
     checkpoint_rows_names(group, name);
     struct h5_table place;
+    rows->components = components;
     if (!get_starts(r, name[CHECKPOINT_ROWS_COUNT], name[CHECKPOINT_ROWS_PARTNER], &rows->start, &place,
                     error))
         return false;
     int64_t *partner = memory_allocate(place.count, sizeof *partner, "history rows");
-    size_t width = checkpoint_history_width(components);
-    double *value = memory_allocate(place.count * (width + 3), sizeof *value, "history rows");
+    rows->row = memory_allocate_zero(place.count, sizeof *rows->row, "history rows");
     place.type = FIELD_INT64;
     bool good = get(r, name[CHECKPOINT_ROWS_PARTNER], &place, partner, error);
-    place.type = FIELD_DOUBLE;
-    place.width = width + 3;
-    good = good && get(r, name[CHECKPOINT_ROWS_VALUE], &place, value, error);
-    rows->count = good ? place.count : 0;
-    rows->components = components;
-    rows->row = memory_allocate_zero(rows->count, sizeof *rows->row, "history rows");
-    for (uint64_t i = 0; good && i < r->count; i++)
-        for (size_t k = rows->start[i]; k < rows->start[i + 1]; k++) {
-            rows->row[k].id = p->id[i];
-            rows->row[k].partner = partner[k];
-            const double *from = value + k * (width + 3);
-            memcpy(rows->row[k].value, from, width * sizeof *from);
-            memcpy(rows->row[k].separation, from + width, sizeof rows->row[k].separation);
-        }
+    for (size_t k = 0; good && k < place.count; k++)
+        rows->row[k].partner = partner[k];
     memory_free(partner);
-    memory_free(value);
-    return good;
+    return good && get_values(r, name[CHECKPOINT_ROWS_VALUE], place, 3, p, rows, error);
 }
 
 static bool get_wall_history(struct checkpoint_reading *r, const struct particles *p, struct error *error) {
     struct history_rows *rows = &r->loaded->wall_history;
     struct h5_table place;
+    rows->components = r->loaded->history_components;
     if (!get_starts(r, "/wall_history/count", "/wall_history/wall_patch", &rows->start, &place, error))
         return false;
     int32_t(*where)[2] = memory_allocate(place.count, sizeof *where, "wall history rows");
-    size_t width = checkpoint_history_width(r->loaded->history_components);
-    double *value = memory_allocate(place.count * width, sizeof *value, "wall history rows");
+    rows->row = memory_allocate_zero(place.count, sizeof *rows->row, "wall history rows");
     place.type = FIELD_INT32;
     place.width = 2;
     bool good = get(r, "/wall_history/wall_patch", &place, where, error);
-    place.type = FIELD_DOUBLE;
-    place.width = width;
-    good = good && get(r, "/wall_history/value", &place, value, error);
-    rows->count = good ? place.count : 0;
-    rows->components = r->loaded->history_components;
-    rows->row = memory_allocate_zero(rows->count, sizeof *rows->row, "wall history rows");
-    for (uint64_t i = 0; good && i < r->count; i++)
-        for (size_t k = rows->start[i]; k < rows->start[i + 1]; k++) {
-            rows->row[k].id = p->id[i];
-            rows->row[k].partner = wall_row_partner(where[k][0], where[k][1]);
-            memcpy(rows->row[k].value, value + k * width, width * sizeof *value);
-        }
+    for (size_t k = 0; good && k < place.count; k++)
+        rows->row[k].partner = wall_row_partner(where[k][0], where[k][1]);
     memory_free(where);
-    memory_free(value);
-    return good;
+    return good && get_values(r, "/wall_history/value", place, 0, p, rows, error);
 }
 
 /* Counts the particles of all ranks in each material or group; without numbers, all particles count for the
