@@ -13,7 +13,8 @@
  * means that all ranks of the communicator call the function, with the same arguments, and get the same result.
  * One thread at a time calls the functions of a simulation. Each comment says who owns an array. Where there is no
  * simulation (NULL), functions fail, or return 0, NULL or "". A function of the caller that the simulation calls may read
- * and write fields, add and delete; scree_step, scree_observe, scree_checkpoint and scree_destroy refuse it. */
+ * and write fields, add and delete; scree_step, scree_observe, scree_checkpoint, scree_report and scree_destroy refuse
+ * it. */
 #ifndef SCREE_H
 #define SCREE_H
 
@@ -173,6 +174,11 @@ bool scree_observe(struct scree_simulation *simulation, double *values, struct s
  * next step; NULL if there is no such row. */
 size_t scree_rows(const struct scree_simulation *simulation);
 const double *scree_row(const struct scree_simulation *simulation, size_t row);
+
+/* The report of the steps since scree_create, or since the present stage began: the text of report.json as docs/output.md
+ * describes it; its seconds are those inside of scree_step. Belongs to the simulation until the next call or
+ * scree_destroy; NULL on failure. Collective. */
+const char *scree_report(struct scree_simulation *simulation, struct scree_error *error);
 
 #ifdef __cplusplus
 }

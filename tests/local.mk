@@ -101,6 +101,7 @@ tests_test_particles_LDADD = $(INTEGRATE_LIBS) $(TEST_LIBS)
 check_PROGRAMS += \
 	tests/test_generate \
 	tests/test_insertion \
+	tests/test_packed \
 	tests/test_placegrid \
 	tests/test_region \
 	tests/test_scene \
@@ -117,6 +118,9 @@ EXTRA_DIST += tests/scene_by_hand.h
 tests_test_generate_SOURCES = tests/test_generate.c
 tests_test_generate_CPPFLAGS = $(TEST_MPI_CPPFLAGS)
 tests_test_generate_LDADD = $(SCENE_LIBS) $(TEST_LIBS)
+tests_test_packed_SOURCES = tests/test_packed.c
+tests_test_packed_CPPFLAGS = $(TEST_MPI_CPPFLAGS)
+tests_test_packed_LDADD = $(SCENE_LIBS) $(TEST_LIBS)
 tests_test_insertion_SOURCES = tests/test_insertion.c
 tests_test_insertion_CPPFLAGS = $(TEST_MPI_CPPFLAGS)
 tests_test_insertion_LDADD = $(SCENE_LIBS) $(TEST_LIBS)

@@ -20,12 +20,13 @@ static bool make(const char *law, const char *settings, struct rows *rows, struc
     char text[256];
     const char *setting[SETTINGS_MAX];
     int n = 0;
-    struct pack_options options;
+    struct recipe recipe;
     snprintf(text, sizeof text, "%s", settings);
     for (char *word = strtok(text, " "); word; word = strtok(NULL, " "))
         setting[n++] = word;
-    return pack_options_read(&options, law, setting, n, error) &&
-           pack_make(&options, NULL, rows, report, error);
+    bool good = recipe_read(&recipe, law, setting, n, error) && pack_make(&recipe, NULL, rows, report, error);
+    recipe_free(&recipe);
+    return good;
 }
 
 static void make_good(const char *law, const char *settings, struct rows *rows, struct pack_report *report) {
@@ -70,7 +71,7 @@ static void check_packing(const char *law, const char *settings, double fraction
     check_places(&rows);
     double overlap = overlap_by_all(&rows);
     assert_true(overlap <= 1e-12);
-    assert_true(report.overlap == 0);
+    assert_true(report.packed.overlap == 0);
     for (size_t k = 0; k < rows.count; k++)
         solid += 4 * M_PI / 3 * pow(rows.radius[k], 3);
     solid /= rows.upper[0] * rows.upper[1] * rows.upper[2];
@@ -166,7 +167,7 @@ static void fills_containers(void **state) {
         if (!(least > -1e-9))
             fail_msg("%s: a sphere is out by %g", cases[m].settings, -least);
         assert_true(overlap_by_all(&rows) <= 1e-12);
-        assert_true(report.overlap == 0);
+        assert_true(report.packed.overlap == 0);
         assert_true(fabs(solid / cases[m].volume - report.fraction) < 1e-6);
         const char *wanted = strstr(cases[m].settings, "fraction=");
         if (wanted) /* the last sphere makes it no nearer */
@@ -186,7 +187,7 @@ static void overlap_bound(void **state) {
     make_good("power", "count=1000 max=2 fraction=0.55 overlap=0.05", &rows, &report);
     double overlap = overlap_by_all(&rows);
     assert_true(overlap > 0 && overlap <= 0.05);
-    assert_true(fabs(overlap - report.overlap) < 1e-12);
+    assert_true(fabs(overlap - report.packed.overlap) < 1e-12);
     rows_free(&rows);
 }
 
@@ -197,8 +198,8 @@ static void bidisperse(void **state) {
     make_good("bidisperse", "ratio=5 box=25 large=4 small=1200", &rows, &report);
     check_places(&rows);
     assert_int_equal(rows.count, 1204);
-    assert_int_equal(report.large, 4);
-    assert_int_equal(report.difference, 0);
+    assert_int_equal(report.kinds[1], 4);
+    assert_int_equal(report.kinds[0], 1200);
     for (size_t k = 0; k < rows.count; k++) {
         assert_true(rows.radius[k] == (k < 4 ? 5 : 1));
         assert_int_equal(rows.material[k], k < 4);
@@ -206,9 +207,10 @@ static void bidisperse(void **state) {
     assert_true(overlap_by_all(&rows) <= 1e-12);
     rows_free(&rows);
     make_good("bidisperse", "ratio=5 box=25 numbers=recipe", &rows, &report);
-    assert_int_equal(report.large, (int)rint(0.12 * 25 * 25 * 25 / (4 * M_PI / 3 * 125)));
-    assert_int_equal(report.small + report.removed, (int)rint(0.36 * 25 * 25 * 25 / (4 * M_PI / 3)));
-    assert_int_equal(report.thinned, 0);
+    assert_int_equal(report.kinds[1], (int)rint(0.12 * 25 * 25 * 25 / (4 * M_PI / 3 * 125)));
+    assert_int_equal(report.kinds[0] + report.packed.removed,
+                     (int)rint(0.36 * 25 * 25 * 25 / (4 * M_PI / 3)));
+    assert_int_equal(report.packed.thinned, 0);
     assert_true(overlap_by_all(&rows) <= 1e-12);
     rows_free(&rows);
 }
@@ -219,10 +221,10 @@ static void bidisperse_removed(void **state) {
     struct rows rows;
     struct pack_report report;
     make_good("bidisperse", "ratio=20 box=60 large=1 small=12000", &rows, &report);
-    double started = (double)(report.small + report.removed + report.thinned);
+    double started = (double)(report.kinds[0] + report.packed.removed + report.packed.thinned);
     double share = 4 * M_PI / 3 * 21 * 21 * 21 / (60.0 * 60 * 60);
-    assert_true(fabs((double)report.removed / started - share) < 0.03 * share);
-    assert_true(fabs(started * 4 * M_PI / 3 / (60.0 * 60 * 60) - report.started_fraction) < 1e-9);
+    assert_true(fabs((double)report.packed.removed / started - share) < 0.03 * share);
+    assert_true(started == (double)report.packed.started);
     rows_free(&rows);
 }
 
@@ -302,7 +304,7 @@ static void too_dense(void **state) {
     error = (struct error){0};
     assert_false(make("bidisperse", "ratio=10 box=1200 numbers=recipe", &rows, &report, &error));
     assert_int_equal(error.kind, ERROR_USER);
-    assert_non_null(strstr(error.text, "49504 large"));
+    assert_non_null(strstr(error.text, "too many"));
     assert_non_null(strstr(error.text, "fewer than 134217728"));
 }
 
@@ -311,10 +313,8 @@ static void too_dense(void **state) {
 static void test_bed(void **state) {
     enum { SIDE = 8 };
     (void)state;
-    const struct pack_options options = {
-        .shape = PACK_BOX, .edges = {2 * SIDE, 2 * SIDE, 4 * SIDE}, .walls = PACK_HARD};
-    struct error error = {0};
-    struct pack_bed bed;
+    const struct region region = {.shape = REGION_BOX, .upper = {2 * SIDE, 2 * SIDE, 4 * SIDE}};
+    const struct region_space space = {.dimension = 3};
     struct rows rows;
     rows_create(&rows, SIDE * SIDE * SIDE, ROWS_POSITION | ROWS_RADIUS);
     for (int k = 0; k < SIDE * SIDE * SIDE; k++) {
@@ -324,8 +324,8 @@ static void test_bed(void **state) {
         rows.position[k][2] = 1 + 2 * (k / (SIDE * SIDE));
     }
     for (int c = 0; c < 3; c++)
-        rows.upper[c] = options.edges[c];
-    assert_true(bed_measure(&bed, &options, &rows, &error));
+        rows.upper[c] = region.upper[c];
+    struct bed bed = bed_measure(&region, &space, &rows);
     assert_float_equal(bed.height, 1.5 * SIDE, 1e-9);
     assert_float_equal(bed.fraction, M_PI / 6, 1e-9);
     rows_free(&rows);

@@ -38,6 +38,7 @@ libengine_la_SOURCES = \
 	src/engine/rebuild.h \
 	src/engine/rebuild_rows.c \
 	src/engine/rebuild_rows.h \
+	src/engine/report_part.h \
 	src/engine/resume.c \
 	src/engine/resume.h \
 	src/engine/resume_check.c \
@@ -46,8 +47,12 @@ libengine_la_SOURCES = \
 	src/engine/run.h \
 	src/engine/run_chain.c \
 	src/engine/run_directory.c \
+	src/engine/run_record.h \
 	src/engine/run_report.c \
 	src/engine/run_report.h \
+	src/engine/run_report_lists.c \
+	src/engine/run_report_lists.h \
+	src/engine/run_report_source.h \
 	src/engine/run_stages.c \
 	src/engine/run_stages.h \
 	src/engine/simulation.c \

@@ -44,7 +44,6 @@
 #include "engine/clock.h"
 #include "data/formats/checkpoint_state.h"
 #include "data/formats/restart.h"
-#include "data/observe/report.h"
 #include "kernel/pairs/history.h"
 #include "kernel/pairs/interaction.h"
 #include "kernel/pairs/ring.h"
@@ -212,6 +211,7 @@ struct physics_table {
 };
 
 struct notes;
+struct report_part; /* report_part.h */
 
 /* Facet of a physics with more to show than fields and observables. */
 struct physics_shown {
@@ -220,9 +220,9 @@ struct physics_shown {
     const struct timer_stage *stage;
     /* Brings velocities that integrator_full_step reads up to date, before they are observed. Collective. */
     void (*full_step)(const struct physics_context *context);
-    /* Fills its part of a view of the run; of the report, collective; of the notes on a scene, collective (notes.h). */
+    /* Fills its part of a view of the run; of the report; of the notes on a scene, collective (notes.h). */
     void (*view)(const struct physics_context *context, struct output_view *view);
-    void (*report)(const struct physics_context *context, struct report *report);
+    void (*report)(const struct physics_context *context, struct report_part *part);
     void (*notes)(const struct physics_context *context, struct notes *notes);
     /* Notes at the end of a run that began at step `first`, on what it has seen. NULL: none. Any rank. */
     void (*seen)(const struct physics_context *context, uint64_t first, struct notes *notes);

@@ -20,7 +20,6 @@
 #include "data/formats/checkpoint.h"
 #include "data/observe/progress.h"
 #include "data/observe/report_json.h"
-#include "data/observe/report_print.h"
 #include <math.h>
 #include <signal.h>
 #include <stdio.h>
@@ -191,7 +190,7 @@ static bool report_out(const struct run *run, const struct report *report, bool 
     if (run->s->comm->rank != 0)
         return true;
     if (shown && !run->options->quiet)
-        report_print(report, stdout);
+        report_print(report, run_report_lines, stdout);
     if (run->options->directory == NULL)
         return true;
     char path[FILE_PATH_MAX];
@@ -245,15 +244,12 @@ static bool watch_begin(const struct run *run, struct error *error) {
 static void run_loop(struct run *run, struct error *error) {
     struct simulation *s = run->s;
     struct progress_options progress = s->scene->output.progress;
-    run->record.first = s->clock.step;
     run->last = run_last_step(s);
-    ghosts_count(s->ranks.ghosts, &run->record.before);
     s->ranks.load.seconds = 0;
     int stage = stages_find(&s->timers, "other");
-    run->record.start = s->timers;
-    timer_clear(&s->timers);
+    run_report_begin(s, &run->record);
     timer_start(&s->timers, stage);
-    run->record.began = run->checkpoint_last = timer_now();
+    run->checkpoint_last = run->record.began;
     if ((run->options->quiet && run->options->series == NULL) || s->comm->rank != 0)
         progress.mode = PROGRESS_OFF;
     progress_start(&run->progress, &progress, run->options->series, stderr, run->record.first, run->last);
@@ -304,15 +300,11 @@ static void tables_end(const struct run *run, struct error *error) {
         *error = own;
 }
 
-/* Fills and writes the report; between two stages the terminal gets none. */
-static void report_make(struct run *run, struct report *report, struct error *error) {
+/* Makes and writes the report; between two stages the terminal gets none. */
+static void report_end(struct run *run, struct report *report, struct error *error) {
     const struct run_chain *chain = run->chain;
     struct error unwritten = {0};
-    report_create(report, run->s->comm->size);
-    run_report_fill(run->s, &run->record, report);
-    report->scene_stages = chain ? chain->done : 0;
-    if (chain)
-        memcpy(report->scene_stage, chain->row, sizeof report->scene_stage);
+    run_report_make(run->s, &run->record, chain, report);
     outputs_close(&run->outputs, run->s->comm, error);
     bool more =
         chain && chain->over && chain->number + 1 < run->s->scene->stages && error->kind == ERROR_NONE;
@@ -363,7 +355,7 @@ int run_one(const struct comm *comm, const struct scene *scene, const struct run
         tables_end(&run, error);
         if (chain)
             run_stages_add(&run.stages, run.s, chain, timer_now() - run.record.began);
-        report_make(&run, &own, error);
+        report_end(&run, &own, error);
         if (report)
             *report = own;
         else

@@ -1,24 +1,22 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
-/* The report of a run at its end. */
+/* The report of a run at its end (data/observe/report.h): its rows, and its lines on the terminal. */
 #ifndef SCREE_ENGINE_RUN_REPORT_H
 #define SCREE_ENGINE_RUN_REPORT_H
 
-#include "engine/state.h"
-#include "data/observe/report.h"
+#include "engine/run_record.h"
+#include "engine/run_stages.h"
+#include "data/observe/report_print.h"
 
-/* Data of the loop of steps for the report. */
-struct run_record {
-    uint64_t first;              /* step before the loop */
-    double began, setup;         /* seconds: clock at the start of the loop; time before the loop */
-    struct timers start;         /* stages before the loop */
-    double particle_steps;       /* sum over steps of the particles moved */
-    struct ghosts_counts before; /* counts before the loop: those of set-up */
-    int stopped;                 /* signal that ended the loop; 0: none */
-};
+/* All entries, in the order of report.json, and the lines on the terminal. */
+extern const struct report_row run_report_rows[];
+extern const struct report_line run_report_lines[];
 
-/* Fills a report that report_create made. Collective: all ranks call, outside parallel regions; each may have
- * chosen another index and other levels. */
-void run_report_fill(const struct simulation *simulation, const struct run_record *run,
-                     struct report *report);
+/* Begins the record of a loop of steps, which starts now. */
+void run_report_begin(struct simulation *simulation, struct run_record *run);
+
+/* Makes the report of a run, or of the last of the stages in `chain` (NULL: the scene has none); report_destroy frees
+ * it. Collective: all ranks call, outside parallel regions; each may have chosen another index and other levels. */
+void run_report_make(const struct simulation *simulation, const struct run_record *run,
+                     const struct run_chain *chain, struct report *report);
 
 #endif

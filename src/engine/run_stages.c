@@ -9,8 +9,6 @@
 #include <stdio.h>
 #include <string.h>
 
-static_assert((int)STAGES_MAX <= (int)REPORT_SCENE_STAGES_MAX, "a report has room for all stages");
-
 /* One condition as an observable; needs one column. */
 static bool condition_open(struct run_stages *stages, const struct simulation *s,
                            const struct output_run *run, int k, struct error *error) {
@@ -99,11 +97,10 @@ void run_stages_add(const struct run_stages *stages, const struct simulation *s,
         end = "conditions";
     else if (chain->over)
         end = stages->conditions > 0 ? "duration, before the conditions held" : "duration";
-    chain->row[chain->done] = (struct report_scene_stage){
-        .first = stages->first, .last = s->clock.step, .time = s->clock.time, .seconds = seconds};
-    snprintf(chain->row[chain->done].name, REPORT_NAME_MAX, "%s", stages->stage->name);
-    snprintf(chain->row[chain->done].end, REPORT_NAME_MAX, "%s", end);
-    chain->done++;
+    struct run_stage *row = &chain->row[chain->done++];
+    *row = (struct run_stage){
+        .first = stages->first, .last = s->clock.step, .time = s->clock.time, .seconds = seconds, .end = end};
+    snprintf(row->name, sizeof row->name, "%s", stages->stage->name);
     chain->step = s->clock.step;
 }
 

@@ -8,7 +8,6 @@
 
 #include "engine/state.h"
 #include "data/observe/observables.h"
-#include "data/observe/report.h"
 
 /* The end of the present stage; all zero: the scene has no stages. */
 struct run_stages {
@@ -19,6 +18,15 @@ struct run_stages {
     bool met; /* the conditions have ended the stage */
 };
 
+/* A stage that this program has run, wholly or in part. */
+struct run_stage {
+    char name[OUTPUT_NAME_MAX];
+    uint64_t first, last; /* numbers of the steps before and at the end */
+    double time;          /* simulated time at the end */
+    double seconds;       /* wall clock without set-up */
+    const char *end;      /* why it ended; a literal */
+};
+
 /* The stages that this program has run. */
 struct run_chain {
     int first;     /* number of the first of them */
@@ -26,7 +34,7 @@ struct run_chain {
     uint64_t step; /* at its end */
     bool over;     /* the present stage has come to its end, and wrote its checkpoint */
     int done;
-    struct report_scene_stage row[REPORT_SCENE_STAGES_MAX];
+    struct run_stage row[STAGES_MAX];
 };
 
 /* Prepares the conditions of the simulation's stage. Fails (user) if an observable has not exactly one column. */

@@ -15,6 +15,7 @@ dist_check_SCRIPTS += \
 	tests/app/drag.sh \
 	tests/app/dust.sh \
 	tests/app/endless.sh \
+	tests/app/entries.sh \
 	tests/app/features.sh \
 	tests/app/fluid.sh \
 	tests/app/fluid_bodies.sh \

@@ -98,6 +98,50 @@ EOF
     check "with the same particles" same_numbers first.dump sieved/dump.lammpstrj
 done
 
+# A packed source in scenes: two of them around a cylinder and a frozen sphere, random ones between
+cat >source.yaml <<'EOF2'
+units: none
+box: {lower: [0, 0, 0], upper: [10, 10, 12], periodic: [true, false, false]}
+step: {count: 20, fraction: 0.2}
+reproducible: true
+gravity: [0, 0, -1]
+contact: {law: hooke}
+materials: [{name: a, density: 1}, {name: b, density: 2}]
+material_pairs: [{restitution: 0.5, k_n: 10000}]
+groups: [{name: held, motion: frozen}]
+walls:
+  - {shape: plane, point: [0, 0, 0], normal: [0, 0, 1], material: a}
+  - {shape: cylinder, point: [7, 5, 6], axis: [0, 0, 1], radius: 1.5, length: 12, inside: false, material: a}
+particles:
+  sources:
+    - {from: single, position: [3, 3, 3], radius: 2, material: b, group: held}
+    - {from: packed, volume_fraction: 0.3, sizes: {law: uniform, min: 0.4, max: 0.8}, material: a}
+    - {from: packed, count: 60, sizes: 0.3, material: b, density: 5, velocity_sigma: 0.1}
+    - {from: packed, meets: yield, count: 400, sizes: 0.15, material: a}
+    - {from: random, count: 20, sizes: 0.1, material: a}
+observables: {every: 1, list: [{name: overlap_max}]}
+output: {dump: {every: 10}, checkpoint: {every: 10}}
+EOF2
+# scene OUTPUT RANKS ARGUMENTS...
+scene() {
+    on "$2" "$scree" run source.yaml -o "$1" --quiet "${@:3}" >said 2>&1 || { cat said; return 1; }
+}
+# last FOLDER: the particles of the last frame, by id
+last() {
+    awk '/^ITEM: ATOMS/ { n = 0; next } /^ITEM/ { next } NF > 8 { row[n++] = $0 } END { for (k = 0; k < n; k++) print row[k] }' "$1/dump.lammpstrj" | sort -n
+}
+check "packed sources run" scene one 1
+check "and begin without overlap" sh -c '[ "$(sed -n 2p one/observables.csv)" = 0,0 ]'
+check "on three ranks" scene three 3
+check "they are the same" same_numbers <(last one) <(last three)
+check "a run resumes" scene again 2 --resume one/checkpoint-10.h5
+check "to the same end" same_numbers <(last one) <(last again)
+check "check counts them" sh -c '"$1" check source.yaml >said && grep -q "[0-9]* particles, 2 materials, 2 walls, 2 groups" said' sh "$scree"
+check "a box that shears" scene shear 2 --set box.periodic=true --set 'box.shear={flow: x, gradient: y, rate: 0.1}' \
+    --set 'walls=~' --set 'groups=~' --set 'particles={from: packed, material: a, sizes: 0.5, volume_fraction: 0.55}'
+check "with heat, and a temperature of its own" scene hot 1 --set 'particles.sources[1].temperature=400' \
+    --set 'heat={temperature: 300, materials: [{material: a, conductivity: 1, capacity: 1}, {material: b, conductivity: 1, capacity: 1}]}'
+
 # Spheres that settle. number WORD: the number before this word of what the program printed
 number() {
     sed -n "s/.* \\([0-9.e+-]*\\) $1.*/\\1/p; s/.*$1 \\([0-9.e+-]*[0-9]\\).*/\\1/p" said | head -n 1
@@ -172,8 +216,8 @@ check "count, fraction and size" refused "two decide the third" power new.data s
 check "settling without walls" refused "settle=yes needs walls" power new.data box=20 fraction=0.3 settle=yes walls=periodic
 check "friction of spheres that do not settle" refused "friction= goes with settle=yes" power new.data friction=0.3
 check "published systems do not settle" refused "no key of the law" bidisperse new.data settle=yes
-check "too many for it" refused "times that of the container" power new.data shape=sphere radius=20 count=5000
-check "too large a container" refused "more than 134 million" power new.data shape=sphere radius=1e6
+check "too many for it" refused "times that of the region" power new.data shape=sphere radius=20 count=5000
+check "too large a container" refused "fewer than 134217728" power new.data shape=sphere radius=1e6
 check "a mesh that is not there" refused "nix.stl" power new.data shape=mesh file=nix.stl
 printf '0 0 0 1 0 0 0 1 0\n' >open.txt
 check "an open mesh" refused "no closed surface" power new.data shape=mesh file=open.txt

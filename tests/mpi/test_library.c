@@ -119,6 +119,34 @@ static void ranks_together_get_what_one_gets_alone(void **test) {
     team_finish(team);
 }
 
+static void asks_for_a_report(void *context, struct scree_simulation *s) {
+    struct scree_error error;
+    *(bool *)context = scree_report(s, &error) == NULL && error.status == SCREE_USER;
+}
+
+static void a_report_tells_of_the_steps(void **test) {
+    struct team *team = *test;
+    bool refused = false;
+    char wanted[40];
+    struct scree_options options = {
+        .communicator = &team->comm.handle, .force = asks_for_a_report, .force_context = &refused};
+    struct scree_error error;
+    struct scree_simulation *s = create(team, &options);
+    snprintf(wanted, sizeof wanted, "\n  \"ranks\": %d,\n", team->comm.size);
+    for (int steps = 0; s && steps <= 10; steps += 5) {
+        char count[40];
+        snprintf(count, sizeof count, "{\n  \"steps\": %d,\n", steps);
+        const char *text = scree_report(s, &error);
+        if (team_expect(team, text != NULL, "%s", error.text))
+            team_expect(team, strncmp(text, count, strlen(count)) == 0 && strstr(text, wanted), "%s", text);
+        step(team, s, 5);
+    }
+    team_expect(team, refused, "a force got a report");
+    team_expect(team, scree_report(NULL, &error) == NULL && error.status == SCREE_USER, "%s", error.text);
+    scree_destroy(&s);
+    team_finish(team);
+}
+
 /* A folder that all ranks know. */
 static void folder(struct team *team, char path[32]) {
     snprintf(path, 32, "/tmp/scree-lib-XXXXXX");
@@ -324,6 +352,7 @@ int main(int argc, char **argv) {
     team_start(&team, &argc, &argv);
     const struct CMUnitTest tests[] = {
         cmocka_unit_test_prestate(ranks_together_get_what_one_gets_alone, &team),
+        cmocka_unit_test_prestate(a_report_tells_of_the_steps, &team),
         cmocka_unit_test_prestate(a_checkpoint_goes_on_to_the_bit, &team),
         cmocka_unit_test_prestate(particles_come_go_and_are_moved, &team),
         cmocka_unit_test_prestate(stages_follow_each_other_on_all_ranks_alike, &team),

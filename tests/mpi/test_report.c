@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
-/* The report and the progress lines.
+/* Reports, and the progress lines.
  * Ranks: 1 2 4 */
 #include <setjmp.h>
 #include <stdarg.h>
@@ -8,7 +8,6 @@
 #include <cmocka.h>
 
 #include "base/memory.h"
-#include "base/version.h"
 #include "folder.h"
 #include "base/file.h"
 #include "data/observe/progress.h"
@@ -23,74 +22,138 @@
 #include <signal.h>
 #include <unistd.h>
 
-enum { STAGES = 4 };
-static const char *const names[STAGES] = {"setup", "advance", "comm", "other"};
+/* A report of few rows, one of each kind, about this: */
+struct report_source {
+    const struct comm *comm;
+    double seconds;
+    uint64_t pairs;
+};
 
-static void gather(struct report *report, const struct comm *comm) {
-    struct timers timers = {0};
-    for (int s = 0; s < STAGES; s++)
-        timers.stage[timer_register(&timers, names[s], "", 0)].seconds = s + comm->rank;
-    struct timers before = timers;
-    before.stage[0].seconds = 10 + comm->rank;
-    struct report_mine mine = {.timers = &timers,
-                               .timers_setup = &before,
-                               .ghosts = (uint64_t)(10 + comm->rank),
-                               .messages = (uint64_t)(3 * comm->rank),
-                               .bytes = (uint64_t)(1000 * comm->rank),
-                               .work = 1 + comm->rank,
-                               .waiting = 2,
-                               .seconds = 4 - (comm->rank > 0),
-                               .seconds_setup = comm->rank};
-    report_gather(report, comm, &mine);
+static uint64_t pairs(const struct report_source *of, int k) {
+    (void)k;
+    return of->pairs;
 }
+
+static uint64_t seed(const struct report_source *of, int k) {
+    (void)of;
+    (void)k;
+    return UINT64_MAX;
+}
+
+static uint64_t ranks(const struct report_source *of, int k) {
+    (void)k;
+    return (uint64_t)of->comm->size;
+}
+
+static uint64_t ghosts(const struct report_source *of, int k) {
+    (void)k;
+    return (uint64_t)(10 + of->comm->rank);
+}
+
+/* A collective getter. */
+static double seconds(const struct report_source *of, int k) {
+    double most = of->seconds;
+    (void)k;
+    comm_max(of->comm, &most, 1);
+    return most;
+}
+
+static bool alone(const struct report_source *of, int k) {
+    (void)k;
+    return of->comm->size == 1;
+}
+
+static const char *stopped(const struct report_source *of, int k, char *buffer, size_t room) {
+    (void)of;
+    (void)k;
+    snprintf(buffer, room, "a \"%s\"\n\\", "guard");
+    return buffer;
+}
+
+static const char *hidden(const struct report_source *of, int k, char *buffer, size_t room) {
+    (void)of;
+    (void)k;
+    (void)buffer;
+    (void)room;
+    return "on the terminal";
+}
+
+static int two(const struct report_source *of) {
+    (void)of;
+    return 2;
+}
+
+static int none(const struct report_source *of) {
+    (void)of;
+    return 0;
+}
+
+static double cell(const struct report_source *of, int k) {
+    (void)of;
+    return k == 0 ? INFINITY : 0.25;
+}
+
+static const char *name(const struct report_source *of, int k, char *buffer, size_t room) {
+    (void)of;
+    (void)buffer;
+    (void)room;
+    return k == 0 ? "rain" : "hail";
+}
+
+/* Of the second entry, the sum over ranks of their numbers from 1 on; of the first, 0. */
+static uint64_t placed(const struct report_source *of, int k) {
+    int64_t sum = k * (of->comm->rank + 1);
+    comm_sum_int(of->comm, &sum, 1);
+    return (uint64_t)sum;
+}
+
+static const struct report_row why_rows[] = {
+    {.name = "why", .text = name}, {.name = "secret", .text = hidden, .terminal = true}, {0}};
+static const struct report_row level_rows[] = {
+    {.name = "name", .text = name}, {.name = "cell", .real = cell}, {.name = "placed", .count = placed}, {0}};
+static const struct report_row rows[] = {
+    {.name = "pairs", .count = pairs},
+    {.name = "seed", .count = seed},
+    {.name = "ranks", .count = ranks, .print = "rank|ranks"},
+    {.name = "seconds", .real = seconds, .print = "%.1f", .times = 1e3},
+    {.name = "secret", .text = hidden, .terminal = true},
+    {.name = "alone", .flag = alone, .print = "alone|together"},
+    {.name = "stopped", .text = stopped},
+    {.name = "ghosts", .each = ghosts},
+    {.name = "choice", .shape = REPORT_GROUP, .rows = why_rows},
+    {.name = "no_choice", .shape = REPORT_GROUP, .rows = why_rows, .entries = none, .optional = true},
+    {.name = "levels", .shape = REPORT_LIST, .rows = level_rows, .entries = two},
+    {.name = "no_levels", .shape = REPORT_LIST, .rows = level_rows, .entries = none},
+    {.name = "stages", .shape = REPORT_STAGES, .rows = level_rows, .entries = two},
+    {0}};
 
 static struct report example(const struct comm *comm) {
     struct report report;
-    report_create(&report, comm->size);
-    report.steps = 200;
-    report.particles = 1000000;
-    report.threads = 3;
-    snprintf(report.index, sizeof report.index, "hgrid");
-    snprintf(report.stopped, sizeof report.stopped, "a \"guard\"\n\\");
-    report.levels = 2;
-    report.level[1] = (struct report_level){.cell = INFINITY, .cells = 5, .particles = 6, .radius_max = 0.5};
-    report.seed = UINT64_MAX;
-    report.pairs = 123456789;
-    report.rebuild_messages = 77;
-    report.rebuild_bytes = 7700;
-    report.memory_held = 770000;
-    report.insertions = 2;
-    report.insertion = memory_allocate_zero(2, sizeof *report.insertion, "report");
-    report.insertion[0] = (struct report_insertion){.name = "rain", .asked = 2000, .placed = 1800};
-    report.insertion[1] = (struct report_insertion){.name = "hail", .asked = 2000, .placed = 1799};
-    gather(&report, comm);
+    const struct report_source source = {.comm = comm, .seconds = comm->rank, .pairs = 123456789};
+    report_make(&report, rows, comm, &source);
     return report;
 }
 
-static void ranks_are_gathered(void **state) {
+static void getters_make_a_report(void **state) {
     struct team *team = *state;
     struct report report = example(&team->comm);
     int size = team->comm.size;
+    const struct report_table *levels = report_list(&report, "levels");
+    const struct report_column *column;
+    team_expect(team, report_find(&report.table, "ghosts", 6, &column) != NULL, "no ghosts");
     for (int r = 0; r < size; r++)
-        team_expect(team,
-                    report.ghosts[r] == (uint64_t)(10 + r) && report.bytes[r] == (uint64_t)(1000 * r) &&
-                        report.messages[r] == (uint64_t)(3 * r),
-                    "rank %d", r);
-    for (int s = 0; s < STAGES; s++) {
-        const struct report_stage *stage = &report.stage[s];
-        team_expect(team, stage->min == s && stage->max == s + size - 1, "stage %d", s);
-        team_expect(team, fabs(stage->mean - (s + (size - 1) / 2.0)) < 1e-12, "mean of %d", s);
-    }
-    team_expect(team, report.setup_stage[0].min == 10 && report.setup_stage[0].max == 9 + size, "the set-up");
-    team_expect(team, report.seconds == 4 && report.seconds_setup == size - 1, "seconds %g", report.seconds);
-    team_expect(team, fabs(report.imbalance - 2.0 * size / (size + 1)) < 1e-12, "imbalance %g",
-                report.imbalance);
-    team_expect(team, fabs(report_pupcs(&report) - 5e7 / (3.0 * size)) < 1, "%g updates",
-                report_pupcs(&report));
-    team_expect(team, report_speed(&report) == 5e7, "speed %g", report_speed(&report));
-    report.particle_steps = 4e6; /* the number of particles changed meanwhile */
-    team_expect(team, report_speed(&report) == 1e6, "speed %g", report_speed(&report));
-    team_expect(team, report.memory_peak > 1 << 20, "peak memory %d", (int)report.memory_peak);
+        team_expect(team, column->value[r].count == (uint64_t)(10 + r), "rank %d", r);
+    team_expect(team, report_number(&report, "seconds") == size - 1, "the seconds");
+    team_expect(team, report_number(&report, "pairs") == 123456789, "the pairs");
+    team_expect(team, report_number(&report, "alone") == (size == 1), "alone");
+    team_expect(team, strcmp(report_text(&report, "choice.why"), "rain") == 0, "the group");
+    team_expect(team, levels->entries == 2, "%d levels", levels->entries);
+    team_expect(team, report_list_number(levels, 0, "placed") == 0, "the first level");
+    team_expect(team, report_list_number(levels, 1, "placed") == size * (size + 1) / 2, "the second level");
+    team_expect(team, strcmp(report_list_text(levels, 1, "name"), "hail") == 0, "its name");
+    team_expect(team, report_find(&report.table, "nothing", 7, &column) == NULL, "a row of no name");
+    team_expect(team, report_holds(&report.table, 0, "levels") && !report_holds(levels, 0, "placed"), "held");
+    team_expect(team, !report_holds(&report.table, 0, "no_levels"), "held");
     report_destroy(&report);
     team_finish(team);
 }
@@ -175,45 +238,22 @@ static void json_holds_all_keys(void **state) {
         char *text = read_text(path);
         const char *end = skip_value(text);
         team_expect(team, end && *skip_space(end) == '\0', "this is not JSON:\n%s", text);
-        static const char *const keys[] = {
-            "\"steps\": 200,",
-            "\"particles\": 1000000,",
-            "\"ranks\": ",
-            "\"threads\": 3,",
-            "\"threads_working\": 3,",
-            "\"index\": \"hgrid\",",
-            "\"levels\": [",
-            "\"cells\": 5, \"particles\": 6",
-            "\"ghosts\": [10",
-            "\"bytes\": [0",
-            "\"messages\": [0",
-            "\"rebuild_messages\": 77,",
-            "\"rebuild_bytes\": 7700,",
-            "\"memory_held\": 770000,",
-            "\"pupcs\": ",
-            "\"imbalance\": ",
-            "{\"name\": \"rain\", \"asked\": 2000, \"placed\": 1800, \"lost\": 0},",
-            "\"stages\": {",
-            "\"particle_steps_per_second\": 50000000,",
-            "\"pairs\": 123456789,",
-            "\"contacts\": ",
-            "\"rebuilds\": ",
-            "\"bytes_per_particle\": ",
-            "\"seed\": 18446744073709551615,",
-            "\"version\": \"",
-            "\"git_revision\": \"",
-            "\"compiler\": \"",
-            "\"flags\": \"",
-            "\"host\": \"",
-            "\"cell_size\": null",
-            "\"stopped\": \"a \\\"guard\\\"\\u000a\\\\\""};
+        static const char *const keys[] = {"{\n  \"pairs\": 123456789,\n",
+                                           "\n  \"seed\": 18446744073709551615,\n",
+                                           "\n  \"ranks\": ",
+                                           "\n  \"seconds\": ",
+                                           "\n  \"alone\": ",
+                                           "\n  \"stopped\": \"a \\\"guard\\\"\\u000a\\\\\",\n",
+                                           "\n  \"ghosts\": [10",
+                                           "\n  \"choice\": {\"why\": \"rain\"},\n",
+                                           "\n  \"levels\": [\n    {\"name\": \"rain\", \"cell\": null, "
+                                           "\"placed\": 0},\n    {\"name\": \"hail\", \"cell\": 0.25, ",
+                                           "}\n  ],\n  \"no_levels\": [],\n",
+                                           "\n  \"stages\": {\n    \"rain\": {\"cell\": null, \"placed\": "
+                                           "0},\n    \"hail\": {\"cell\": 0.25, "};
         for (size_t k = 0; k < sizeof keys / sizeof keys[0]; k++)
             team_expect(team, strstr(text, keys[k]) != NULL, "%s is not in\n%s", keys[k], text);
-        for (int s = 0; s < STAGES; s++) {
-            char key[64];
-            snprintf(key, sizeof key, "\"%s\": {\"min\": %d, \"mean\": ", names[s], s);
-            team_expect(team, strstr(text, key) != NULL, "%s is not in\n%s", key, text);
-        }
+        team_expect(team, !strstr(text, "secret") && !strstr(text, "no_choice"), "too much in\n%s", text);
         memory_free(text);
     }
     report_destroy(&report);
@@ -221,31 +261,30 @@ static void json_holds_all_keys(void **state) {
     team_finish(team);
 }
 
-static void the_table_is_readable(void **state) {
+static void lines_are_printed(void **state) {
     struct team *team = *state;
+    static const struct report_line lines[] = {
+        {.text = "{pairs} pairs on {ranks}, {alone}, in {seconds:6} ms; {choice.why:-6}|{secret}\n"},
+        {.text = "never\n", .when = "no_levels"},
+        {.text = "{stopped}\n", .when = "stopped"},
+        {.text = "{#}: {name:6} has {placed}\n", .list = "levels", .heading = "{pairs} above\n"},
+        {.text = "only {name}\n", .list = "levels", .only = "placed"},
+        {.text = "never\n", .list = "no_levels", .heading = "never\n"},
+        {0}};
     struct report report = example(&team->comm);
+    int size = team->comm.size;
     if (team->comm.rank == 0) {
-        char *text = NULL;
-        size_t size;
-        FILE *memory = open_memstream(&text, &size);
-        report.threads_working = 1.5;
-        report.choices = 7;
-        snprintf(report.choice, sizeof report.choice, "hgrid, 3 levels");
-        report_print(&report, memory);
+        char *text = NULL, wanted[400];
+        size_t room;
+        FILE *memory = open_memstream(&text, &room);
+        report_print(&report, lines, memory);
         fclose(memory);
-        const char *const parts[] = {"200 steps of 1,000,000 particles",
-                                     "123,456,789 pairs",
-                                     "index hgrid, law ",
-                                     "1.5 threads at work on average",
-                                     "index chosen: hgrid, 3 levels (choice 7); predicted 0 ms",
-                                     team->comm.size > 1 ? " ghosts; a rank and step sends "
-                                                         : "1 rank x 3 threads\n",
-                                     "contact",
-                                     "level",
-                                     "insertion rain: 1,800 of the 2,000 particles due are placed\n",
-                                     "insertion hail: 1,799 of the 2,000 particles due are placed: NOTE"};
-        for (size_t k = 0; k < sizeof parts / sizeof parts[0]; k++)
-            team_expect(team, strstr(text, parts[k]) != NULL, "%s is not in\n%s", parts[k], text);
+        snprintf(wanted, sizeof wanted,
+                 "123,456,789 pairs on %d rank%s, %s, in %6.1f ms; rain  |on the terminal\n"
+                 "a \"guard\"\n\\\n123,456,789 above\n0:   rain has 0\n1:   hail has %d\nonly hail\n",
+                 size, size == 1 ? "" : "s", size == 1 ? "alone" : "together", 1e3 * (size - 1),
+                 size * (size + 1) / 2);
+        team_expect(team, strcmp(text, wanted) == 0, "these are the lines:\n%s", text);
         free(text);
     }
     report_destroy(&report);
@@ -339,9 +378,9 @@ int main(int argc, char **argv) {
     struct team team;
     team_start(&team, &argc, &argv);
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test_prestate(ranks_are_gathered, &team),
+        cmocka_unit_test_prestate(getters_make_a_report, &team),
         cmocka_unit_test_prestate(json_holds_all_keys, &team),
-        cmocka_unit_test_prestate(the_table_is_readable, &team),
+        cmocka_unit_test_prestate(lines_are_printed, &team),
         cmocka_unit_test_prestate(a_file_that_does_not_fit_leaves_the_old_one, &team),
         cmocka_unit_test_prestate(durations, &team),
         cmocka_unit_test_prestate(progress_is_quiet_unless_asked, &team),

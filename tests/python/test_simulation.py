@@ -56,6 +56,19 @@ def test_numbers_equal_those_of_the_command_line(tmp_path):
     for name in ("position", "velocity", "force", "angular_velocity"):
         assert np.array_equal(by_id(simulation, name), by_id(other, name)), name
     assert table.attrs["units"]["time"] == "s" and len(table) == 9
+    report, wanted = simulation.report(), json.loads((tmp_path / "out/report.json").read_text())
+    assert list(report) == list(wanted)
+    for key in ("steps", "last_step", "time", "particles", "contacts", "law", "integrator", "classes", "seed"):
+        assert report[key] == wanted[key], key
+    assert other.report()["steps"] == 0 and 0 < report["seconds"] < report["seconds"] + report["seconds_setup"]
+
+
+def test_a_report_is_of_the_present_stage():
+    scene = dict(SCENE, stages=[{"name": "a", "duration": 0.02}, {"name": "b", "duration": 0.03}])
+    scene["step"] = {"dt": 0.001}
+    simulation = scree.Simulation(scene, log=lambda line: None)
+    simulation.run(25)
+    assert simulation.stage == "b" and simulation.report()["steps"] == 5
 
 
 def test_arrays_are_the_memory_of_the_simulation():

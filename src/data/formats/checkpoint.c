@@ -1,134 +1,23 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
-/* Writes checkpoints. Every dataset is a table of rows: the rows of a rank lie together, in the order of the
- * ranks. The checksum of a dataset comes from memory. Then the closed file is compared with the checksums, so
- * only a whole file is renamed. */
+/* Writes and reads checkpoints: opens the file, and hands it to their parts (checkpoint_io.h). The checksum of a dataset
+ * that is written comes from memory. Then the closed file is compared with the checksums, so only a whole file is renamed.
+ * What is read agrees with the table of the file; the shape of each dataset is still checked, as the file may come from a
+ * different program. */
 #include "data/formats/checkpoint.h"
 #include "data/formats/checkpoint_head.h"
 #include "data/formats/checkpoint_names.h"
-#include "data/formats/checkpoint_put.h"
+#include "data/formats/checkpoint_rows.h"
 
 #include "base/memory.h"
-#include "data/formats/checkpoint_file.h"
 #include "base/file.h"
 
-#include <assert.h>
 #include <inttypes.h>
 #include <string.h>
 #include <unistd.h>
 
-static bool put_field(struct checkpoint_writing *w, int f, struct error *error) {
-    const struct particles *p = w->checkpoint->particles;
-    const struct field *field = fields_get(p, f);
-    size_t stride, bytes = fields_bytes(field);
-    const char *base = fields_base(p, f, &stride);
-    char *data = memory_allocate(p->owned, bytes, "field of a checkpoint");
-#pragma omp parallel for
-    for (size_t i = 0; i < p->owned; i++)
-        memcpy(data + i * bytes, base + i * stride, bytes);
-    struct h5_table table = {.type = field->type,
-                             .rows = w->total,
-                             .width = field->components > 1 ? (uint64_t)field->components : 0,
-                             .first = w->first,
-                             .count = p->owned};
-    char name[OUTPUT_NAME_MAX];
-    checkpoint_field_name(field, name);
-    bool good = checkpoint_put(w, name, &table, data, error);
-    memory_free(data);
-    return good;
-}
-
-/* The place of this rank's rows among the rows of all ranks. */
-static struct h5_table place_rows(const struct comm *comm, size_t count) {
-    int64_t total = (int64_t)count, first = comm_scan(comm, total);
-    comm_sum_int(comm, &total, 1);
-    return (struct h5_table){.rows = (uint64_t)total, .first = (uint64_t)first, .count = count};
-}
-
-/* Writes the number of rows of each particle, from the start table of the rows. */
-static bool put_counts(struct checkpoint_writing *w, const char *name, const size_t *start,
-                       struct error *error) {
-    size_t n = w->checkpoint->particles->owned;
-    int32_t *count = memory_allocate(n, sizeof *count, "history counts");
-    for (size_t i = 0; i < n; i++)
-        count[i] = (int32_t)(start[i + 1] - start[i]);
-    struct h5_table table = {.type = FIELD_INT32, .rows = w->total, .first = w->first, .count = n};
-    bool good = checkpoint_put(w, name, &table, count, error);
-    memory_free(count);
-    return good;
-}
-
-/* Writes the values of rows, and behind them `apart` numbers of their separations: 0 or 3. */
-static bool put_values(struct checkpoint_writing *w, const char *name, const struct history_rows *rows,
-                       size_t apart, struct error *error) {
-    size_t width = checkpoint_history_width(rows->components) + apart;
-    double *value = memory_allocate_zero(rows->count * width, sizeof *value, "history rows");
-    for (size_t k = 0; k < rows->count; k++) {
-        double *to = value + k * width;
-        memcpy(to, rows->row[k].value, (size_t)rows->components * sizeof *to);
-        memcpy(to + width - apart, rows->row[k].separation, apart * sizeof *to);
-    }
-    struct h5_table table = place_rows(w->comm, rows->count);
-    table.type = FIELD_DOUBLE;
-    table.width = width;
-    bool good = checkpoint_put(w, name, &table, value, error);
-    memory_free(value);
-    return good;
-}
-
-/* Writes the rows of pairs of a group: "history", or a physics. */
-static bool put_rows(struct checkpoint_writing *w, const char *group, const struct history_rows *rows,
-                     struct error *error) {
-    char name[CHECKPOINT_ROWS_NAMES][OUTPUT_NAME_MAX];
-    checkpoint_rows_names(group, name);
-    if (!put_counts(w, name[CHECKPOINT_ROWS_COUNT], rows->start, error))
-        return false;
-    int64_t *partner = memory_allocate(rows->count, sizeof *partner, "history rows");
-    for (size_t k = 0; k < rows->count; k++)
-        partner[k] = rows->row[k].partner;
-    struct h5_table table = place_rows(w->comm, rows->count);
-    table.type = FIELD_INT64;
-    bool good = checkpoint_put(w, name[CHECKPOINT_ROWS_PARTNER], &table, partner, error);
-    memory_free(partner);
-    return good && put_values(w, name[CHECKPOINT_ROWS_VALUE], rows, 3, error);
-}
-
-static bool put_wall_history(struct checkpoint_writing *w, struct error *error) {
-    const struct history_rows *rows = w->checkpoint->wall_history;
-    if (!put_counts(w, "/wall_history/count", rows->start, error))
-        return false;
-    int32_t(*place)[2] = memory_allocate(rows->count, sizeof *place, "wall history rows");
-    for (size_t k = 0; k < rows->count; k++) {
-        place[k][0] = wall_row_wall(&rows->row[k]);
-        place[k][1] = wall_row_feature(&rows->row[k]);
-    }
-    struct h5_table table = place_rows(w->comm, rows->count);
-    table.type = FIELD_INT32;
-    table.width = 2;
-    bool good = checkpoint_put(w, "/wall_history/wall_patch", &table, place, error);
-    memory_free(place);
-    return good && put_values(w, "/wall_history/value", rows, 0, error);
-}
-
-static bool put_all(struct checkpoint_writing *w, struct error *error) {
-    const struct checkpoint *c = w->checkpoint;
-    bool good = checkpoint_put_head(w, error);
-    const struct field_list fields = fields_with(c->particles, FIELD_RESTART);
-    for (int k = 0; good && k < fields.count; k++)
-        good = put_field(w, fields.field[k], error);
-    /* either every rank has rows, or no rank: the law decides */
-    if (good && c->history)
-        good = put_rows(w, "history", c->history, error);
-    if (good && c->wall_history)
-        good = put_wall_history(w, error);
-    for (int k = 0; good && c->carried && k < PHYSICS_COUNT; k++)
-        if (c->carried[k])
-            good = put_rows(w, checkpoint_physics_names[k], c->carried[k], error);
-    return good;
-}
-
 /* The bytes of the file to be written, with some spare. */
-static uint64_t estimate_bytes(const struct checkpoint_writing *w) {
-    const struct checkpoint *c = w->checkpoint;
+static uint64_t estimate_bytes(const struct checkpoint_io *io) {
+    const struct checkpoint *c = io->written;
     uint64_t rows = (c->history ? c->history->count : 0) + (c->wall_history ? c->wall_history->count : 0);
     uint64_t carried = 0;
     for (int k = 0; c->carried && k < PHYSICS_COUNT; k++)
@@ -137,8 +26,8 @@ static uint64_t estimate_bytes(const struct checkpoint_writing *w) {
     const struct field_list fields = fields_with(c->particles, FIELD_RESTART);
     int64_t bytes = (int64_t)(c->particles->owned * (fields_packed_bytes(c->particles, &fields) + 8) +
                               carried + rows * 8 * (checkpoint_history_width(c->history_components) + 4));
-    comm_sum_int(w->comm, &bytes, 1);
-    uint64_t ranks = (uint64_t)w->comm->size, walls = c->walls ? (uint64_t)walls_count(c->walls) : 0;
+    comm_sum_int(io->comm, &bytes, 1);
+    uint64_t ranks = (uint64_t)io->comm->size, walls = c->walls ? (uint64_t)walls_count(c->walls) : 0;
     uint64_t numbers = c->restart ? c->restart->count : 0, texts = 0;
     uint64_t of_ranks = ranks * (numbers + CHECKPOINT_CUT + 1) * sizeof(double);
     for (size_t k = 0; c->lineage && k < c->lineage->count; k++)
@@ -148,35 +37,123 @@ static uint64_t estimate_bytes(const struct checkpoint_writing *w) {
            (1 << 16);
 }
 
+/* Lists the numbers by name. */
+static void numbers_list(const struct checkpoint_io *io, struct checkpoint_loaded *state) {
+    const struct checkpoint *c = io->written;
+    const struct checkpoint_numbers *n = &c->numbers;
+    struct restart all = {0};
+    struct checkpoint_core core = {.step = (int64_t)n->step,
+                                   .seed = (int64_t)n->seed,
+                                   .next_id = n->next_id,
+                                   .ranks = io->comm->size,
+                                   .history_components = c->history_components,
+                                   .particles = (int64_t)io->total,
+                                   .grid = {n->grid[0], n->grid[1], n->grid[2]},
+                                   .time = n->time,
+                                   .dt = n->dt};
+    checkpoint_core_list(&core, &all);
+    for (size_t k = 0; c->restart && k < c->restart->count; k++) {
+        const struct restart_number *row = &c->restart->row[k];
+        restart_add(&all, row->kind, row->optional, row->value, "%s", row->name);
+    }
+    restart_pack(&all, &state->restart);
+    restart_free(&all);
+}
+
+/* Names and poses of walls; forces are sums over ranks. */
+static void walls_list(const struct checkpoint_io *io, struct checkpoint_loaded *state) {
+    const struct walls *walls = io->written->walls;
+    state->walls = walls ? walls_count(walls) : 0;
+    state->wall = memory_allocate_zero((size_t)state->walls, sizeof *state->wall, "walls of a checkpoint");
+    for (int k = 0; k < state->walls; k++) {
+        walls_pose(walls, k, &state->wall[k].pose);
+        comm_sum(io->comm, state->wall[k].pose.force, 6);
+        snprintf(state->wall[k].name, WALL_NAME_MAX, "%s", walls_options(walls, k)->name);
+    }
+}
+
+static struct checkpoint_kind *kinds_list(int count) {
+    return memory_allocate_zero((size_t)count, sizeof(struct checkpoint_kind), "kinds of a checkpoint");
+}
+
+/* The state to write, in the form in which it is read; state_free releases. */
+static void state_list(const struct checkpoint_io *io, struct checkpoint_loaded *state) {
+    const struct checkpoint *c = io->written;
+    *state = (struct checkpoint_loaded){.box = *c->box,
+                                        .tree = (struct domain_tree *)c->tree,
+                                        .ranks = io->comm->size,
+                                        .history_components = c->history_components,
+                                        .materials = c->materials,
+                                        .material = kinds_list(c->materials),
+                                        .groups = c->groups,
+                                        .group = kinds_list(c->groups),
+                                        .scene = (char *)c->scene,
+                                        .law = (char *)c->law};
+    if (c->history)
+        state->history = *c->history;
+    if (c->wall_history)
+        state->wall_history = *c->wall_history;
+    if (c->lineage)
+        state->lineage = *c->lineage;
+    for (int k = 0; c->carried && k < PHYSICS_COUNT; k++)
+        if (c->carried[k])
+            state->carried[k] = *c->carried[k];
+    for (int k = 0; k < c->materials; k++) {
+        snprintf(state->material[k].name, OUTPUT_NAME_MAX, "%s", c->material[k].name);
+        state->material[k].density = c->material[k].density;
+    }
+    for (int k = 0; k < c->groups; k++)
+        snprintf(state->group[k].name, OUTPUT_NAME_MAX, "%s", c->group[k]);
+    numbers_list(io, state);
+    walls_list(io, state);
+}
+
+static void state_free(struct checkpoint_loaded *state) {
+    restart_values_free(&state->restart);
+    memory_free(state->material);
+    memory_free(state->group);
+    memory_free(state->wall);
+}
+
+static bool put_all(struct checkpoint_io *io, struct error *error) {
+    struct checkpoint_loaded state;
+    state_list(io, &state);
+    bool good = checkpoint_head(io, &state, error) &&
+                checkpoint_rows(io, (struct particles *)io->written->particles, &state, error);
+    state_free(&state);
+    return good;
+}
+
 /* Writes all data to the temporary file and compares the bytes of the file with the checksums. */
-static bool write_file(struct checkpoint_writing *w, const char *temporary, uint64_t bytes,
-                       struct error *error) {
-    if (!h5_create(&w->h5, temporary, w->comm, CHECKPOINT_BLOCK, error))
+static bool write_file(struct checkpoint_io *io, const char *temporary, uint64_t bytes, struct error *error) {
+    if (!h5_create(&io->h5, temporary, io->comm, CHECKPOINT_BLOCK, error))
         return false;
-    if (w->comm->rank == 0)
+    if (io->comm->rank == 0)
         file_reserve(temporary, bytes, error);
-    bool good = comm_agree(w->comm, error) && put_all(w, error);
-    good = h5_close(&w->h5, error) && good;
-    return good && checkpoint_table_write(&w->table, w->comm, temporary, error) &&
-           checkpoint_verify(w->comm, temporary, error);
+    bool good = comm_agree(io->comm, error) && put_all(io, error);
+    good = h5_close(&io->h5, error) && good;
+    return good && checkpoint_table_write(&io->file.table, io->comm, temporary, error) &&
+           checkpoint_verify(io->comm, temporary, error);
 }
 
 bool checkpoint_write(const struct comm *comm, const char *directory, const char *suffix,
                       const struct checkpoint *checkpoint, int keep, struct error *error) {
-    struct checkpoint_writing w = {.comm = comm, .checkpoint = checkpoint, .h5 = {.file = -1}};
+    struct checkpoint_io io = {
+        .comm = comm, .written = checkpoint, .h5 = {.file = -1}, .file = {.handle = -1}};
     int64_t total = (int64_t)checkpoint->particles->owned;
-    w.first = (uint64_t)comm_scan(comm, total);
+    io.count = checkpoint->particles->owned;
+    io.first = (uint64_t)comm_scan(comm, total);
     comm_sum_int(comm, &total, 1);
-    w.total = (uint64_t)total;
+    io.total = (uint64_t)total;
     char name[OUTPUT_NAME_MAX], path[FILE_PATH_MAX], temporary[FILE_PATH_MAX + 8];
     snprintf(name, sizeof name, "checkpoint-%" PRIu64 "%.20s.h5", checkpoint->numbers.step, suffix);
-    uint64_t bytes = estimate_bytes(&w);
+    uint64_t bytes = estimate_bytes(&io);
     if (file_join(path, directory, name, error) && comm->rank == 0)
         file_check_room(path, 0, bytes, error);
     if (!comm_agree(comm, error))
         return false;
     snprintf(temporary, sizeof temporary, "%s.part", path);
-    bool good = write_file(&w, temporary, bytes, error);
+    bool good = write_file(&io, temporary, bytes, error);
     if (good && comm->rank == 0 && file_settle(temporary, path, error) && keep > 0 && suffix[0] == '\0')
         checkpoint_delete_old(directory, checkpoint->numbers.step, keep);
     good = comm_agree(comm, error);
@@ -192,4 +169,48 @@ bool checkpoint_verify(const struct comm *comm, const char *path, struct error *
     bool good = checkpoint_file_compare(&file, error);
     checkpoint_file_close(&file);
     return good;
+}
+
+/* Reads the rows of this rank's particles, and compares the rest of the file. */
+static bool get_rows(struct checkpoint_io *io, struct particles *particles, struct checkpoint_loaded *state,
+                     struct error *error) {
+    particles_reserve(particles, io->count);
+    for (uint64_t i = 0; i < io->count; i++)
+        particles_append(particles);
+    return checkpoint_rows(io, particles, state, error) && checkpoint_file_compare(&io->file, error);
+}
+
+bool checkpoint_read(const struct comm *comm, const char *path, struct particles *particles,
+                     struct checkpoint_loaded *loaded, struct error *error) {
+    struct checkpoint_io io = {.comm = comm, .h5 = {.file = -1}};
+    *loaded = (struct checkpoint_loaded){0};
+    if (!checkpoint_file_open(&io.file, comm, path, error))
+        return false;
+    bool good =
+        checkpoint_head(&io, loaded, error) && (particles == NULL || get_rows(&io, particles, loaded, error));
+    checkpoint_file_close(&io.file);
+    if (!good)
+        checkpoint_loaded_free(loaded);
+    return good;
+}
+
+bool checkpoint_read_head(const struct comm *comm, const char *path, struct checkpoint_loaded *loaded,
+                          struct error *error) {
+    return checkpoint_read(comm, path, NULL, loaded, error);
+}
+
+void checkpoint_loaded_free(struct checkpoint_loaded *loaded) {
+    history_rows_free(&loaded->history);
+    history_rows_free(&loaded->wall_history);
+    for (int k = 0; k < PHYSICS_COUNT; k++)
+        history_rows_free(&loaded->carried[k]);
+    domain_tree_destroy(&loaded->tree);
+    restart_values_free(&loaded->restart);
+    lineage_free(&loaded->lineage);
+    memory_free(loaded->wall);
+    memory_free(loaded->material);
+    memory_free(loaded->group);
+    memory_free(loaded->law);
+    memory_free(loaded->scene);
+    *loaded = (struct checkpoint_loaded){0};
 }

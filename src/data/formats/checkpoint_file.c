@@ -162,17 +162,3 @@ bool checkpoint_file_read(struct checkpoint_file *file, const struct checkpoint_
     file->compared[entry - file->table.entry] = true;
     return true;
 }
-
-bool checkpoint_file_read_common(struct checkpoint_file *file, const char *dataset, size_t row_bytes,
-                                 uint64_t rows, void *data, struct error *error) {
-    bool first = file->comm->rank == 0;
-    struct checkpoint_rows all = {.dataset = dataset,
-                                  .row_bytes = row_bytes,
-                                  .rows = rows,
-                                  .first = first ? 0 : rows,
-                                  .count = first ? rows : 0};
-    if (!checkpoint_file_read(file, &all, data, error))
-        return false;
-    comm_broadcast(file->comm, data, rows * row_bytes);
-    return true;
-}

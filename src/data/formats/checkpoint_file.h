@@ -44,9 +44,4 @@ struct checkpoint_rows {
 bool checkpoint_file_read(struct checkpoint_file *file, const struct checkpoint_rows *rows, void *data,
                           struct error *error);
 
-/* Reads all rows (`rows` x `row_bytes`) on every rank: the first rank reads and sends the rows to the others.
- * Collective. */
-bool checkpoint_file_read_common(struct checkpoint_file *file, const char *dataset, size_t row_bytes,
-                                 uint64_t rows, void *data, struct error *error);
-
 #endif

@@ -1,11 +1,12 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
-/* Private part of checkpoints: writes the small parts. */
+/* Private part of checkpoints: the small parts, which every rank holds. */
 #ifndef SCREE_FORMATS_CHECKPOINT_HEAD_H
 #define SCREE_FORMATS_CHECKPOINT_HEAD_H
 
-#include "data/formats/checkpoint_put.h"
+#include "data/formats/checkpoint_io.h"
 
-/* Writes all data except for rows of particles. Collective. */
-bool checkpoint_put_head(struct checkpoint_writing *w, struct error *error);
+/* Writes the small parts from `state`, or reads them into it; also the share of this rank in the particles when read.
+ * Collective. */
+bool checkpoint_head(struct checkpoint_io *io, struct checkpoint_loaded *state, struct error *error);
 
 #endif

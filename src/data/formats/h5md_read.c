@@ -3,7 +3,7 @@
 #include "data/formats/h5md_read.h"
 
 #include "base/memory.h"
-#include "data/formats/h5.h"
+#include "data/formats/h5md_element.h"
 
 #include <inttypes.h>
 #include <math.h>
@@ -19,13 +19,6 @@ struct source {
     uint64_t frame, frames;
     int dimension;
     uint64_t total, first, count; /* rows in the file; this rank's */
-};
-
-/* An element found: a dataset with one table a frame, or one table for all frames. */
-struct element {
-    char dataset[FILE_PATH_MAX];
-    bool frames;
-    struct h5_shape shape;
 };
 
 static bool find_group(struct source *s, const char *name, struct error *error) {
@@ -56,20 +49,7 @@ static bool find_group(struct source *s, const char *name, struct error *error) 
     return found != NULL;
 }
 
-/* Finds /particles/GROUP/NAME. Returns false without an error if there is no such element. */
-static bool find_element(const struct source *s, const char *name, struct element *element,
-                         struct error *error) {
-    *element = (struct element){0};
-    snprintf(element->dataset, sizeof element->dataset, "%.900s/%s", s->group, name);
-    if (!h5_exists(&s->h5, element->dataset))
-        return false;
-    element->frames = h5_is_group(&s->h5, element->dataset);
-    if (element->frames)
-        snprintf(element->dataset, sizeof element->dataset, "%.900s/%s/value", s->group, name);
-    return h5_get_shape(&s->h5, element->dataset, &element->shape, error);
-}
-
-static bool refuse_shape(const struct source *s, const struct element *element, const char *wanted,
+static bool refuse_shape(const struct source *s, const struct h5md_found *element, const char *wanted,
                          struct error *error) {
     char shape[128] = "";
     for (int d = 0; d < element->shape.rank; d++) {
@@ -82,32 +62,27 @@ static bool refuse_shape(const struct source *s, const struct element *element, 
 
 /* Reads this rank's rows of an element into data (rows x in_memory values; a 2D file leaves the last value
  * unchanged). `components`: 1, or the dimension of the box if `spatial`. */
-static bool read_element(const struct source *s, const struct element *element, enum field_type type,
+static bool read_element(const struct source *s, const struct h5md_found *element, enum field_type type,
                          int in_memory, void *data, struct error *error) {
-    int lead = element->frames, rank = element->shape.rank;
+    int lead = element->frames;
+    uint64_t width = h5md_found_width(element);
     char wanted[96];
     snprintf(wanted, sizeof wanted, "%s[%" PRIu64 "]%s", element->frames ? "[frames]" : "", s->total,
              in_memory > 1 ? "[2 or 3]" : "");
-    int components = rank == lead + 2 ? (int)element->shape.size[lead + 1] : 1;
-    bool fits = rank == lead + 1 + (in_memory > 1) && element->shape.size[lead] == s->total &&
-                (in_memory == 1 || components == 2 || components == 3);
+    bool fits = element->shape.rank == lead + 1 + (in_memory > 1) && element->shape.size[lead] == s->total &&
+                (in_memory == 1 || width == 2 || width == 3);
     if (!fits || (element->shape.type != H5T_FLOAT && element->shape.type != H5T_INTEGER &&
                   element->shape.type != H5T_ENUM))
         return refuse_shape(s, element, wanted, error);
     if (element->frames && s->frame >= element->shape.size[0])
         return error_set(error, ERROR_USER, "%s: %s: has %" PRIu64 " frames, frame %" PRIu64 " is wanted",
                          s->h5.path, element->dataset, (uint64_t)element->shape.size[0], s->frame);
-    hsize_t start[3] = {0}, count[3] = {1, 1, 1};
-    start[0] = s->frame;
-    start[lead] = s->first;
-    count[lead] = s->count;
-    count[lead + 1] = (hsize_t)components;
+    const struct h5_table rows = {.type = type, .width = width, .first = s->first, .count = s->count};
     size_t bytes = type == FIELD_INT32 ? 4 : 8;
-    char *packed = memory_allocate(s->count, bytes * (size_t)components, "rows of a file");
-    bool good = h5_read_block(&s->h5, element->dataset, type, start, count, packed, error);
+    char *packed = memory_allocate(s->count, bytes * width, "rows of a file");
+    bool good = h5md_found_read(&s->h5, element, s->frame, &rows, packed, error);
     for (uint64_t k = 0; good && k < s->count; k++)
-        memcpy((char *)data + k * bytes * (size_t)in_memory, packed + k * bytes * (size_t)components,
-               bytes * (size_t)components);
+        memcpy((char *)data + k * bytes * (size_t)in_memory, packed + k * bytes * width, bytes * width);
     memory_free(packed);
     return good;
 }
@@ -118,11 +93,11 @@ static bool count_frames(const struct source *s, uint64_t *frames, struct error 
     *frames = 1;
     if (!h5_list(&s->h5, s->group, &names, error))
         return false;
-    struct element element = {0};
-    bool good = find_element(s, "position", &element, error) || error->kind == ERROR_NONE;
+    struct h5md_found element = {0};
+    bool good = h5md_find(&s->h5, s->group, "position", &element, error) || error->kind == ERROR_NONE;
     for (size_t k = 0; good && !element.frames && k < names.count; k++)
         if (strcmp(names.name[k], "box") != 0)
-            good = find_element(s, names.name[k], &element, error) || error->kind == ERROR_NONE;
+            good = h5md_find(&s->h5, s->group, names.name[k], &element, error) || error->kind == ERROR_NONE;
     if (good && element.frames)
         *frames = element.shape.size[0];
     memory_free(names.name);
@@ -131,8 +106,8 @@ static bool count_frames(const struct source *s, uint64_t *frames, struct error 
 
 /* Chooses the frame and this rank's rows, from the position. */
 static bool choose_rows(struct source *s, struct error *error) {
-    struct element position;
-    if (!find_element(s, "position", &position, error))
+    struct h5md_found position;
+    if (!h5md_find(&s->h5, s->group, "position", &position, error))
         return error_set(error, ERROR_USER, "%s: %.900s/position: there is no such object", s->h5.path,
                          s->group);
     if (!count_frames(s, &s->frames, error))
@@ -158,8 +133,8 @@ static bool choose_rows(struct source *s, struct error *error) {
 /* Reads a column if the file has it. */
 static bool read_column(const struct source *s, const char *name, enum field_type type, int components,
                         void **data, struct error *error) {
-    struct element element;
-    if (!find_element(s, name, &element, error))
+    struct h5md_found element;
+    if (!h5md_find(&s->h5, s->group, name, &element, error))
         return error->kind == ERROR_NONE;
     *data =
         memory_allocate_zero(s->count, (type == FIELD_INT32 ? 4 : 8) * (size_t)components, "rows of a file");
@@ -168,8 +143,8 @@ static bool read_column(const struct source *s, const char *name, enum field_typ
 
 /* Reads angular velocities. In a 2D file these may be one number a particle: the rotation about z. */
 static bool read_spin(const struct source *s, struct rows *rows, struct error *error) {
-    struct element element;
-    if (!find_element(s, "angular_velocity", &element, error))
+    struct h5md_found element;
+    if (!h5md_find(&s->h5, s->group, "angular_velocity", &element, error))
         return error->kind == ERROR_NONE;
     rows->angular_velocity = memory_allocate_zero(s->count, sizeof *rows->angular_velocity, "rows of a file");
     if (element.shape.rank != element.frames + 1)
@@ -241,8 +216,8 @@ static bool read_box(const struct source *s, struct rows *rows, struct error *er
     rows->periodic_given = h5_read_texts(&s->h5, path, "boundary", boundary, s->dimension);
     for (int d = 0; rows->periodic_given && d < s->dimension; d++)
         rows->periodic[d] = strcmp(boundary[d], "periodic") == 0;
-    struct element edges;
-    if (!find_element(s, "box/edges", &edges, error))
+    struct h5md_found edges;
+    if (!h5md_find(&s->h5, s->group, "box/edges", &edges, error))
         return error->kind == ERROR_NONE;
     int lead = edges.frames, n = s->dimension;
     bool matrix = edges.shape.rank == lead + 2 && edges.shape.size[lead + 1] == (hsize_t)n;
@@ -250,12 +225,10 @@ static bool read_box(const struct source *s, struct rows *rows, struct error *er
         return refuse_shape(s, &edges, "one edge length, or one edge vector, a dimension", error);
     if (lead && s->frame >= edges.shape.size[0])
         return refuse_shape(s, &edges, "as many frames as the position has", error);
-    hsize_t start[3] = {0}, count[3] = {1, 1, 1};
-    start[0] = lead ? s->frame : 0;
-    count[lead] = (hsize_t)n;
-    count[lead + 1] = matrix ? (hsize_t)n : 1;
+    const struct h5_table all = {
+        .type = FIELD_DOUBLE, .width = matrix ? (uint64_t)n : 1, .count = (uint64_t)n};
     double value[9] = {0}, edge[3] = {0}, origin[3] = {0};
-    if (!h5_read_block(&s->h5, edges.dataset, FIELD_DOUBLE, start, count, value, error))
+    if (!h5md_found_read(&s->h5, &edges, s->frame, &all, value, error))
         return false;
     int tilts = 0;
     for (int k = 0; matrix && k < n * n; k++)
@@ -297,10 +270,11 @@ static void move_row(struct rows *rows, size_t from, size_t to) {
 
 /* Drops the rows whose id is the fill value, and counts the remaining rows on the ranks before this one. */
 static void drop_absent(const struct source *s, struct rows *rows) {
-    struct element id;
+    struct h5md_found id;
     struct error none = {0};
     int64_t fill;
-    if (rows->id && find_element(s, "id", &id, &none) && h5_read_fill(&s->h5, id.dataset, &fill)) {
+    if (rows->id && h5md_find(&s->h5, s->group, "id", &id, &none) &&
+        h5_read_fill(&s->h5, id.dataset, &fill)) {
         size_t kept = 0;
         for (size_t k = 0; k < rows->count; k++)
             if (rows->id[k] != fill)
@@ -347,22 +321,18 @@ static bool refuse_field(const struct source *s, const char *name, struct error 
 }
 
 /* Reads a field with any number of components, and takes one component or the length. */
-static bool read_values(const struct source *s, const struct element *e, int component, double *value,
+static bool read_values(const struct source *s, const struct h5md_found *e, int component, double *value,
                         struct error *error) {
     int lead = e->frames;
-    hsize_t start[4] = {0}, count[4] = {1, 1, 1, 1};
-    size_t width = e->shape.rank == lead + 2 ? (size_t)e->shape.size[lead + 1] : 1;
-    if (e->shape.rank < lead + 1 || e->shape.rank > lead + 2 || e->shape.size[lead] != s->total ||
-        (lead && s->frame >= e->shape.size[0]))
+    size_t width = h5md_found_width(e);
+    if (width == 0 || e->shape.size[lead] != s->total || (lead && s->frame >= e->shape.size[0]))
         return refuse_shape(s, e, "one value or vector a particle", error);
     if (component >= (int)width)
         return error_set(error, ERROR_USER, "%s: %s: has %zu components, no number %d", s->h5.path,
                          e->dataset, width, component);
-    start[0] = lead ? s->frame : 0;
-    count[lead] = s->total;
-    count[lead + 1] = width;
+    const struct h5_table rows = {.type = FIELD_DOUBLE, .width = width, .count = s->total};
     double *all = memory_allocate(s->total * width, sizeof *all, "values of a field");
-    bool good = h5_read_block(&s->h5, e->dataset, FIELD_DOUBLE, start, count, all, error);
+    bool good = h5md_found_read(&s->h5, e, s->frame, &rows, all, error);
     for (uint64_t k = 0; good && k < s->total; k++) {
         double square = 0;
         for (size_t d = 0; d < width; d++)
@@ -375,9 +345,9 @@ static bool read_values(const struct source *s, const struct element *e, int com
 
 /* Reads ids, and drops the rows that are absent. */
 static bool read_present(const struct source *s, struct h5md_values *values, struct error *error) {
-    struct element id;
+    struct h5md_found id;
     int64_t fill;
-    if (!find_element(s, "id", &id, error)) {
+    if (!h5md_find(&s->h5, s->group, "id", &id, error)) {
         for (size_t k = 0; k < values->count; k++)
             values->id[k] = (int64_t)k + 1;
         return error->kind == ERROR_NONE;
@@ -398,12 +368,12 @@ static bool read_present(const struct source *s, struct h5md_values *values, str
 bool h5md_read_values(const char *path, int64_t frame, const char *name, int component,
                       struct h5md_values *values, struct error *error) {
     struct source s = {.wanted = frame};
-    struct element element;
+    struct h5md_found element;
     *values = (struct h5md_values){0};
     if (!h5_open(&s.h5, path, NULL, false, error))
         return false;
     bool good = find_group(&s, NULL, error) && choose_rows(&s, error);
-    if (good && !find_element(&s, name, &element, error))
+    if (good && !h5md_find(&s.h5, s.group, name, &element, error))
         good = error->kind == ERROR_NONE && refuse_field(&s, name, error);
     if (good) {
         values->count = s.total;

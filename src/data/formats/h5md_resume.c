@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* Continues a trajectory: data after the step of the checkpoint are cut off, the rest is kept. */
 #include "data/formats/h5md_resume.h"
+#include "data/formats/h5md_element.h"
 #include "data/formats/h5md_head.h"
 
 #include "base/memory.h"
@@ -67,29 +68,26 @@ static bool cut_group(const struct h5 *h5, const char *group, int64_t step, stru
 }
 
 static bool recall_element(struct h5md *h5md, const struct h5 *h5, const char *name, struct error *error) {
-    char path[FILE_PATH_MAX];
-    snprintf(path, sizeof path, "/particles/all/%s", name);
-    bool frames = h5_is_group(h5, path);
-    if (frames)
-        snprintf(path, sizeof path, "/particles/all/%s/value", name);
-    struct h5_shape shape;
-    if (!h5_get_shape(h5, path, &shape, error))
-        return false;
+    struct h5md_found found;
+    if (!h5md_find(h5, "/particles/all", name, &found, error))
+        return error->kind == ERROR_NONE &&
+               error_set(error, ERROR_USER, "%s: %s: there is no such object", h5->path, found.dataset);
+    const struct h5_shape shape = found.shape;
+    int components = (int)h5md_found_width(&found);
     enum field_type type = shape.type == H5T_FLOAT ? FIELD_DOUBLE
                            : shape.bytes == 4      ? FIELD_INT32
                                                    : FIELD_INT64;
-    int components = shape.rank == 2 + frames ? (int)shape.size[1 + frames] : 1;
-    if (shape.rank < 1 + frames || h5md->elements == XDMF_COLUMNS_MAX)
-        return error_set(error, ERROR_USER, "%s: %s: is not a table of particles", h5->path, path);
+    if (components == 0 || h5md->elements == XDMF_COLUMNS_MAX)
+        return error_set(error, ERROR_USER, "%s: %s: is not a table of particles", h5->path, found.dataset);
     bool single = h5md->single;
     h5md->single = type == FIELD_DOUBLE && shape.bytes == 4; /* as the file has it */
-    h5md_add_element(h5md, name, type, components, frames);
+    h5md_add_element(h5md, name, type, components, found.frames);
     h5md->single = single;
-    h5md->rows = shape.size[frames];
-    if (frames)
+    h5md->rows = shape.size[found.frames];
+    if (found.frames)
         h5md->chunk = shape.chunk[1];
     if (strcmp(name, "id") == 0)
-        h5md->varying = frames;
+        h5md->varying = found.frames;
     return true;
 }
 

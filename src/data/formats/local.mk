@@ -9,13 +9,12 @@ libformats_la_SOURCES = \
 	src/data/formats/checkpoint_folder.h \
 	src/data/formats/checkpoint_head.c \
 	src/data/formats/checkpoint_head.h \
+	src/data/formats/checkpoint_io.c \
+	src/data/formats/checkpoint_io.h \
 	src/data/formats/checkpoint_names.c \
 	src/data/formats/checkpoint_names.h \
-	src/data/formats/checkpoint_put.c \
-	src/data/formats/checkpoint_put.h \
-	src/data/formats/checkpoint_read.c \
-	src/data/formats/checkpoint_read_head.c \
-	src/data/formats/checkpoint_read_head.h \
+	src/data/formats/checkpoint_rows.c \
+	src/data/formats/checkpoint_rows.h \
 	src/data/formats/checkpoint_state.h \
 	src/data/formats/checkpoint_table.c \
 	src/data/formats/checkpoint_table.h \
@@ -38,6 +37,8 @@ libformats_la_SOURCES = \
 	src/data/formats/h5md.h \
 	src/data/formats/h5md_contacts.c \
 	src/data/formats/h5md_contacts.h \
+	src/data/formats/h5md_element.c \
+	src/data/formats/h5md_element.h \
 	src/data/formats/h5md_file.c \
 	src/data/formats/h5md_file.h \
 	src/data/formats/h5md_frame.c \

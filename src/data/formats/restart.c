@@ -27,24 +27,22 @@ void restart_free(struct restart *restart) {
     *restart = (struct restart){0};
 }
 
-size_t restart_count(const struct restart *restart, enum restart_kind kind) {
-    size_t count = 0;
-    for (size_t k = 0; k < restart->count; k++)
-        count += restart->row[k].kind == kind;
-    return count;
+void restart_values_allocate(struct restart_values *values, enum restart_kind kind, size_t count) {
+    values->count[kind] = count;
+    values->name[kind] = memory_allocate_zero(count, sizeof *values->name[kind], "restart numbers");
+    values->value[kind] = memory_allocate_zero(count, sizeof *values->value[kind], "restart numbers");
 }
 
-void restart_pack(const struct restart *restart, enum restart_kind kind, char (*name)[OUTPUT_NAME_MAX],
-                  void *value) {
-    size_t at = 0;
+void restart_pack(const struct restart *restart, struct restart_values *values) {
+    size_t count[RESTART_KINDS] = {0}, at[RESTART_KINDS] = {0};
+    for (size_t k = 0; k < restart->count; k++)
+        count[restart->row[k].kind]++;
+    for (int kind = 0; kind < RESTART_KINDS; kind++)
+        restart_values_allocate(values, (enum restart_kind)kind, count[kind]);
     for (size_t k = 0; k < restart->count; k++) {
         const struct restart_number *row = &restart->row[k];
-        if (row->kind != kind)
-            continue;
-        memset(name[at], 0, sizeof name[at]);
-        snprintf(name[at], sizeof name[at], "%s", row->name);
-        memcpy((char *)value + at * sizeof(uint64_t), row->value, sizeof(uint64_t));
-        at++;
+        snprintf(values->name[row->kind][at[row->kind]], OUTPUT_NAME_MAX, "%s", row->name);
+        memcpy(&values->value[row->kind][at[row->kind]++], row->value, sizeof(uint64_t));
     }
 }
 

@@ -37,22 +37,18 @@ void restart_add(struct restart *restart, enum restart_kind kind, bool optional,
                  const char *format, ...) __attribute__((format(printf, 5, 6)));
 void restart_free(struct restart *restart);
 
-/* The count of numbers of a kind. */
-size_t restart_count(const struct restart *restart, enum restart_kind kind);
-
-/* Names (OUTPUT_NAME_MAX bytes each, filled up with zeros) and values (8 bytes each) of a kind, in the order
- * of the list. */
-void restart_pack(const struct restart *restart, enum restart_kind kind, char (*name)[OUTPUT_NAME_MAX],
-                  void *value);
-
-/* Numbers read from a file: `count[kind]` names, and the bits of the values. All owned,
+/* Numbers as they stand in a file: `count[kind]` names, filled up with zeros, and the bits of the values. All owned,
  * restart_values_free. */
 struct restart_values {
     size_t count[RESTART_KINDS];
     char (*name[RESTART_KINDS])[OUTPUT_NAME_MAX];
     uint64_t *value[RESTART_KINDS];
 };
+void restart_values_allocate(struct restart_values *values, enum restart_kind kind, size_t count);
 void restart_values_free(struct restart_values *values);
+
+/* Copies names and values, in the order of the list, into `values`, which are all zero before. */
+void restart_pack(const struct restart *restart, struct restart_values *values);
 
 /* Copies values read from a file to the addresses in the list. Fails (user, naming `path`) if a number that
  * is not optional is missing. */

@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* Frames of the walls for ParaView and other programs: DIR/walls-STEP.vtp, a file of VTK's XML format a frame, with raw
- * arrays; DIR/walls.pvd, the list of these files with their times; DIR/walls.xdmf, which points into the same files. The
- * triangles are those of wall_surface_make. Rank 0 writes. */
+ * arrays; DIR/walls.pvd, the list of these files with their times; DIR/walls.xdmf, which points into the same files. Both
+ * lists stay: ParaView's own is the first, which a resume reads, and the second is for programs that read XDMF, the format
+ * of the particles' list. The triangles are those of wall_surface_make. Rank 0 writes. */
 #ifndef SCREE_FORMATS_WALL_FRAMES_H
 #define SCREE_FORMATS_WALL_FRAMES_H
 

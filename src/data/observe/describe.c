@@ -5,7 +5,6 @@
 #include "data/formats/dump.h"
 #include "data/formats/frame.h"
 #include "data/observe/observables_kinds.h"
-#include "data/observe/report_rows.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -19,8 +18,8 @@ static const char *type_name(enum field_type type) {
     return type == FIELD_DOUBLE ? "float64" : type == FIELD_INT64 ? "int64" : "int32";
 }
 
-static void print_fields(const struct timers *stages, FILE *out) {
-    (void)stages;
+static void print_fields(const struct describe_from *from, FILE *out) {
+    (void)from;
     fprintf(out, "| in H5MD | in a dump | type | shape | unit | over time | scenes with | meaning |\n"
                  "|---|---|---|---|---|---|---|---|\n");
     struct particles *known = particles_create(0);
@@ -76,8 +75,8 @@ static void print_takes(FILE *out, const struct observable_info *info) {
             info->components == 3 ? "`components`" : "");
 }
 
-static void print_observables(const struct timers *stages, FILE *out) {
-    (void)stages;
+static void print_observables(const struct describe_from *from, FILE *out) {
+    (void)from;
     fprintf(out, "| name | columns | unit | takes | meaning |\n|---|---|---|---|---|\n");
     for (int k = 0; k < observables_kinds_count(); k++) {
         const struct observable_info *info = observables_get(k);
@@ -91,8 +90,8 @@ static void print_observables(const struct timers *stages, FILE *out) {
 }
 
 /* Names that stand for several observables; their members follow each other. */
-static void print_families(const struct timers *stages, FILE *out) {
-    (void)stages;
+static void print_families(const struct describe_from *from, FILE *out) {
+    (void)from;
     const char *last = "";
     for (int k = 0; k < observables_kinds_count(); k++) {
         const struct observable_info *info = observables_get(k);
@@ -109,31 +108,31 @@ static void print_entry(FILE *out, const char *prefix, const struct report_row *
     fprintf(out, "| `%s%s` |%s%s | %s |\n", prefix, row->name, row->unit[0] ? " " : "", row->unit, row->help);
 }
 
-static void print_report(const struct timers *stages, FILE *out) {
+static void print_report(const struct describe_from *from, FILE *out) {
     bool told = false; /* the stages, once */
     fprintf(out, "| key | unit | meaning |\n|---|---|---|\n");
-    for (const struct report_row *row = report_rows; row->name; row++) {
+    for (const struct report_row *row = from->rows; row->name; row++) {
         char prefix[64];
         if (row->terminal)
             continue;
         print_entry(out, "", row);
-        snprintf(prefix, sizeof prefix, "%s%s.", row->name, row->type == REPORT_LIST ? "[]" : "");
-        for (const struct report_row *below = row->rows; row->type != REPORT_STAGES && below && below->name;
+        snprintf(prefix, sizeof prefix, "%s%s.", row->name, row->shape == REPORT_LIST ? "[]" : "");
+        for (const struct report_row *below = row->rows; row->shape != REPORT_STAGES && below && below->name;
              below++)
             if (!below->terminal)
                 print_entry(out, prefix, below);
-        for (int s = 0; row->type == REPORT_STAGES && !told && s < stages->stages; s++) {
+        for (int s = 0; row->shape == REPORT_STAGES && !told && s < from->stages->stages; s++) {
             const struct report_row stage = {
-                .name = stages->stage[s].name, .unit = row->unit, .help = stages->stage[s].help};
+                .name = from->stages->stage[s].name, .unit = row->unit, .help = from->stages->stage[s].help};
             print_entry(out, prefix, &stage);
         }
-        told = told || row->type == REPORT_STAGES;
+        told = told || row->shape == REPORT_STAGES;
     }
 }
 
 static const struct {
     const char *name;
-    void (*print)(const struct timers *stages, FILE *out);
+    void (*print)(const struct describe_from *from, FILE *out);
 } tables[] = {{"fields", print_fields},
               {"observables", print_observables},
               {"families", print_families},
@@ -165,7 +164,7 @@ static bool skip_table(FILE *page, FILE *out, const char *name) {
     return found;
 }
 
-bool describe_page(FILE *page, FILE *out, const struct timers *stages, struct error *error) {
+bool describe_page(FILE *page, FILE *out, const struct describe_from *from, struct error *error) {
     char *line = NULL;
     size_t room = 0;
     bool seen[TABLES] = {false}, good = true;
@@ -175,7 +174,7 @@ bool describe_page(FILE *page, FILE *out, const struct timers *stages, struct er
         if (k < 0)
             continue;
         seen[k] = true;
-        tables[k].print(stages, out);
+        tables[k].print(from, out);
         good = skip_table(page, out, tables[k].name) ||
                error_set(error, ERROR_USER, "the page has no line \"<!-- end of %s -->\"", tables[k].name);
     }

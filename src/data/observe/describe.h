@@ -6,13 +6,19 @@
 
 #include "base/error.h"
 #include "base/timer.h"
+#include "data/observe/report.h"
 #include <stdbool.h>
 #include <stdio.h>
 
+/* The rows of a report, and the stages that it may have. */
+struct describe_from {
+    const struct report_row *rows;
+    const struct timers *stages;
+};
+
 /* Copies a page and writes its tables again. A table is the text between a line "<!-- NAME: ... -->" and the
  * line "<!-- end of NAME -->"; NAME is "fields", "observables", "families" or "report". A name without its
- * end, and one of the four that the page does not have, are a user's error. `stages`: those that a report may have. One
- * thread. */
-bool describe_page(FILE *page, FILE *out, const struct timers *stages, struct error *error);
+ * end, and one of the four that the page does not have, are a user's error. One thread. */
+bool describe_page(FILE *page, FILE *out, const struct describe_from *from, struct error *error);
 
 #endif

@@ -27,9 +27,7 @@ libobserve_la_SOURCES = \
 	src/data/observe/report_json.c \
 	src/data/observe/report_json.h \
 	src/data/observe/report_print.c \
-	src/data/observe/report_print.h \
-	src/data/observe/report_rows.c \
-	src/data/observe/report_rows.h
+	src/data/observe/report_print.h
 libobserve_la_CPPFLAGS = $(AM_CPPFLAGS) $(MPI_CFLAGS) $(MUPARSER_CFLAGS)
 libobserve_la_LIBADD = $(MUPARSER_LIBS)
 

@@ -1,14 +1,11 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
-/* Writes report.json from the rows of the report. Read report_rows.h first. */
+/* Writes report.json from the rows of the report. Read report.h first. */
 #include "data/observe/report_json.h"
-#include "data/observe/report_rows.h"
 
 #include "base/file.h"
 
 #include <inttypes.h>
 #include <math.h>
-
-enum { TEXT_ROOM = 256 };
 
 void report_json_text(FILE *file, const char *text) {
     fputc('"', file);
@@ -31,89 +28,82 @@ static void put_real(FILE *file, double value) {
         fprintf(file, "null");
 }
 
-static void put_each(FILE *file, const uint64_t *value, int n) {
+static void put_value(FILE *file, const struct report_row *row, union report_value value) {
+    if (row->text)
+        report_json_text(file, value.text);
+    else if (row->real)
+        put_real(file, value.real);
+    else if (row->flag)
+        fprintf(file, "%s", value.count ? "true" : "false");
+    else
+        fprintf(file, "%" PRIu64, value.count);
+}
+
+static void put_each(FILE *file, const struct report_row *row, const union report_value *value, int n) {
     fprintf(file, "[");
-    for (int k = 0; k < n; k++)
-        fprintf(file, "%s%" PRIu64, k ? ", " : "", value[k]);
+    for (int k = 0; k < n; k++) {
+        fprintf(file, "%s", k ? ", " : "");
+        put_value(file, row, value[k]);
+    }
     fprintf(file, "]");
 }
 
-/* A value that has no rows below it. */
-static void put_value(FILE *file, const struct report *report, const struct report_row *row,
-                      const void *base) {
-    char text[TEXT_ROOM];
-    switch (row->type) {
-    case REPORT_COUNT:
-        fprintf(file, "%" PRIu64, report_row_count(row, base));
-        break;
-    case REPORT_NUMBER:
-        fprintf(file, "%d", report_row_number(row, base));
-        break;
-    case REPORT_REAL:
-        put_real(file, report_row_real(row, base));
-        break;
-    case REPORT_FLAG:
-        fprintf(file, "%s", report_row_flag(row, base) ? "true" : "false");
-        break;
-    case REPORT_TEXT:
-        report_json_text(file, report_row_text(row, base, text, sizeof text));
-        break;
-    default:
-        put_each(file, report_row_each(row, base), report->ranks);
-    }
-}
-
-/* {"cells": 5, "particles": 6} */
-static void put_object(FILE *file, const struct report *report, const struct report_row *rows,
-                       const void *base) {
+/* {"cells": 5, "particles": 6}: the rows of an entry from number `first` on */
+static void put_entry(FILE *file, const struct report_table *table, int first, int k) {
+    const char *comma = "";
     fprintf(file, "{");
-    for (const struct report_row *row = rows; row->name; row++) {
-        if (row->terminal)
+    for (int r = first; table->rows[r].name; r++) {
+        if (table->rows[r].terminal)
             continue;
-        fprintf(file, "%s\"%s\": ", row > rows ? ", " : "", row->name);
-        put_value(file, report, row, base);
+        fprintf(file, "%s\"%s\": ", comma, table->rows[r].name);
+        put_value(file, &table->rows[r], table->column[r].value[k]);
+        comma = ", ";
     }
     fprintf(file, "}");
 }
 
-static void put_list(FILE *file, const struct report *report, const struct report_row *row) {
-    int entries = report_row_entries(row, report);
-    fprintf(file, "[");
-    for (int k = 0; k < entries; k++) {
+static void put_list(FILE *file, const struct report_table *table, bool named) {
+    fprintf(file, named ? "{" : "[");
+    for (int k = 0; k < table->entries; k++) {
         fprintf(file, "%s\n    ", k ? "," : "");
-        put_object(file, report, row->rows, report_row_entry(row, report, k));
+        if (named)
+            fprintf(file, "\"%s\": ", table->column[0].value[k].text);
+        put_entry(file, table, named, k);
     }
-    fprintf(file, "%s]", entries ? "\n  " : "");
+    fprintf(file, "%s%s", table->entries ? "\n  " : "", named ? "}" : "]");
 }
 
-static void put_stages(FILE *file, const struct report *report, const struct report_row *row) {
-    const struct report_stage *stage = (const void *)((const char *)report + row->offset);
+static void put_column(FILE *file, const struct report *report, const struct report_row *row,
+                       const struct report_column *column) {
+    if (row->each)
+        put_each(file, row, column->value, report->ranks);
+    else if (row->shape == REPORT_VALUE)
+        put_value(file, row, column->value[0]);
+    else if (row->shape == REPORT_GROUP)
+        put_entry(file, column->table, 0, 0);
+    else
+        put_list(file, column->table, row->shape == REPORT_STAGES);
+}
+
+void report_json(const struct report *report, FILE *file) {
+    const char *comma = "";
     fprintf(file, "{");
-    for (int s = 0; s < report->stages; s++) {
-        fprintf(file, "%s\n    \"%s\": ", s ? "," : "", stage[s].name);
-        put_object(file, report, row->rows, &stage[s]);
+    for (int r = 0; report->table.rows[r].name; r++) {
+        const struct report_row *row = &report->table.rows[r];
+        const struct report_column *column = &report->table.column[r];
+        if (row->terminal || (row->optional && column->table->entries == 0))
+            continue;
+        fprintf(file, "%s\n  \"%s\": ", comma, row->name);
+        put_column(file, report, row, column);
+        comma = ",";
     }
-    fprintf(file, "\n  }");
+    fprintf(file, "\n}\n");
 }
 
 bool report_write_json(const struct report *report, const char *path, struct error *error) {
     struct file_new file;
     if (!file_new_open(&file, path, error))
         return false;
-    fprintf(file.stream, "{");
-    for (const struct report_row *row = report_rows; row->name; row++) {
-        if (row->terminal || (row->shown && !row->shown(report)))
-            continue;
-        fprintf(file.stream, "%s\n  \"%s\": ", row > report_rows ? "," : "", row->name);
-        if (row->type == REPORT_GROUP)
-            put_object(file.stream, report, row->rows, report);
-        else if (row->type == REPORT_LIST)
-            put_list(file.stream, report, row);
-        else if (row->type == REPORT_STAGES)
-            put_stages(file.stream, report, row);
-        else
-            put_value(file.stream, report, row, report);
-    }
-    fprintf(file.stream, "\n}\n");
+    report_json(report, file.stream);
     return file_new_close(&file, error);
 }

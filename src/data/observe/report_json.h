@@ -10,8 +10,10 @@
 /* Writes a text as a JSON string. */
 void report_json_text(FILE *file, const char *text);
 
-/* Writes the report to `path` (rank 0 alone calls) by a temporary name; version, revision, compiler, flags, host
- * and CPU are added. Fails (system) where it cannot be written. */
+/* Writes the report as a JSON object. */
+void report_json(const struct report *report, FILE *file);
+
+/* Writes the report to `path` (rank 0 alone calls) by a temporary name. Fails (system) where it cannot be written. */
 bool report_write_json(const struct report *report, const char *path, struct error *error);
 
 #endif

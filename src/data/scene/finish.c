@@ -1,14 +1,12 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
-/* Derives the data of the modules from the values read: the box, sides, pairs of materials, unit vectors,
- * defaults that depend on other keys. */
+/* Derives the data of the modules from the values read: pairs of materials, unit vectors, defaults that depend on other
+ * keys. */
 #include "data/scene/finish.h"
 #include "data/scene/scene_files.h"
 #include "data/scene/scene_stage.h"
 
 #include "base/memory.h"
 #include "physics/grains/motion/timestep.h"
-#include "data/formats/h5md_read.h"
-#include "data/formats/lammps_data.h"
 #include "data/scene/tree.h"
 
 #include <math.h>
@@ -35,62 +33,6 @@ static bool normalise(double v[3]) {
 
 static bool unit_vector(const struct scene *scene, double v[3], struct error *error, const char *key) {
     return normalise(v) || scene_fail(scene, error, key, "[%g, %g, %g] has no direction", v[0], v[1], v[2]);
-}
-
-/* The box of the first source's file; the periodic directions of the scene stay. */
-static bool box_from_file(struct scene *scene, struct error *error) {
-    const struct source_options *source = scene->source;
-    if (scene->sources == 0 || source->kind != SOURCE_FILE || source->format == SOURCE_TABLE)
-        return scene_fail(scene, error, "box.lower", "is missing; needed: three numbers [x, y, z], in m");
-    if (!scene_files_open(scene, error))
-        return false;
-    struct rows rows = {0};
-    struct h5md_read_options options = {.frame = source->frame};
-    if (source->format == SOURCE_LAMMPS_DATA ? !lammps_data_read(source->file, &rows, error)
-                                             : !h5md_read(source->file, &options, NULL, &rows, error))
-        return false;
-    bool good = rows.box_given ||
-                scene_fail(scene, error, "box.lower", "is missing, and %s has no box", source->file);
-    bool take_periodic = rows.periodic_given && !scene_gives(scene, "box", "periodic");
-    for (int d = 0; good && d < 3; d++) {
-        scene->box_lower[d] = rows.lower[d] * source->scale + source->offset[d];
-        scene->box_upper[d] = rows.upper[d] * source->scale + source->offset[d];
-        if (take_periodic)
-            scene->box.periodic[d] = rows.periodic[d];
-    }
-    rows_free(&rows);
-    return good;
-}
-
-static bool finish_box(struct scene *scene, struct error *error) {
-    bool lower = !isnan(scene->box_lower[0]), upper = !isnan(scene->box_upper[0]);
-    if (lower != upper)
-        return scene_fail(
-            scene, error, lower ? "box.upper" : "box.lower",
-            "is missing beside box.%s; needed: three numbers [x, y, z], in m (or neither, where "
-            "the first particle file has a box)",
-            lower ? "lower" : "upper");
-    if (!lower && !box_from_file(scene, error))
-        return false;
-    struct box *box = &scene->box;
-    if (box->dimension == 2 && scene->box_lower[2] == scene->box_upper[2]) {
-        double thickness =
-            fmin(scene->box_upper[0] - scene->box_lower[0], scene->box_upper[1] - scene->box_lower[1]);
-        scene->box_lower[2] -= thickness / 2;
-        scene->box_upper[2] += thickness / 2;
-    }
-    for (int d = 0; d < 3; d++) {
-        if (!(scene->box_upper[d] > scene->box_lower[d]))
-            return scene_fail(scene, error, "box.upper", "%c: %g is not above the lower corner's %g",
-                              "xyz"[d], scene -> box_upper[d], scene -> box_lower[d]);
-        box->origin[d] = scene->box_lower[d];
-        box->edge[d] = scene->box_upper[d] - scene->box_lower[d];
-        for (int side = 0; side < 2; side++) {
-            int leave = scene->leave_side[d][side] >= 0 ? scene->leave_side[d][side] : scene->leave_all;
-            box->leave[d][side] = (enum box_leave)leave;
-        }
-    }
-    return true;
 }
 
 static void finish_motion(struct scene *scene) {
@@ -418,9 +360,9 @@ static bool finish_fields(struct scene *scene, struct error *error) {
 }
 
 bool finish_scene(struct scene *scene, struct error *error) {
-    if (!finish_materials(scene, error) || !finish_box(scene, error) || !finish_pairs(scene, error) ||
-        !finish_walls(scene, error) || !finish_groups(scene, error) || !finish_sources(scene, error) ||
-        !scene_files_sizes(scene, error) || !finish_fields(scene, error))
+    if (!finish_materials(scene, error) || !scene_files_sizes(scene, error) || !finish_box(scene, error) ||
+        !finish_pairs(scene, error) || !finish_walls(scene, error) || !finish_groups(scene, error) ||
+        !finish_sources(scene, error) || !finish_fields(scene, error))
         return false;
     finish_step(scene);
     scene_stages_finish(scene);

@@ -15,6 +15,9 @@ void finish_prepare(struct scene *scene);
  * lines of both. */
 bool finish_names(const struct scene *scene, const struct tree_node *root, struct error *error);
 
+/* Part of finish_scene: the box, its sides, and what happens to particles that leave through them. Fails (user). */
+bool finish_box(struct scene *scene, struct error *error);
+
 /* After reading: derived values. Fails (user) where a value that is needed is missing, or a file with the box
  * cannot be read. */
 bool finish_scene(struct scene *scene, struct error *error);

@@ -6,6 +6,7 @@ libscene_la_SOURCES = \
 	src/data/scene/decimal.c \
 	src/data/scene/decimal.h \
 	src/data/scene/finish.c \
+	src/data/scene/finish_box.c \
 	src/data/scene/finish.h \
 	src/data/scene/insertion.c \
 	src/data/scene/insertion.h \
@@ -13,12 +14,24 @@ libscene_la_SOURCES = \
 	src/data/scene/lattice.h \
 	src/data/scene/mistakes.c \
 	src/data/scene/mistakes.h \
-	src/data/scene/packing.c \
-	src/data/scene/packing.h \
+	src/data/scene/pack/pack_search.c \
+	src/data/scene/pack/pack_search.h \
+	src/data/scene/pack/pile.c \
+	src/data/scene/pack/pile.h \
+	src/data/scene/pack/push.c \
+	src/data/scene/pack/push.h \
+	src/data/scene/pack/relax.c \
+	src/data/scene/pack/relax.h \
+	src/data/scene/packed.c \
+	src/data/scene/packed.h \
+	src/data/scene/packed_radii.c \
+	src/data/scene/packed_radii.h \
 	src/data/scene/placegrid.c \
 	src/data/scene/placegrid.h \
 	src/data/scene/region.c \
 	src/data/scene/region.h \
+	src/data/scene/scatter.c \
+	src/data/scene/scatter.h \
 	src/data/scene/scene.c \
 	src/data/scene/scene.h \
 	src/data/scene/scene_check.c \
@@ -80,6 +93,8 @@ libscene_la_SOURCES = \
 	src/data/scene/source_batch.h \
 	src/data/scene/source_ids.c \
 	src/data/scene/source_ids.h \
+	src/data/scene/source_radii.c \
+	src/data/scene/source_radii.h \
 	src/data/scene/source_sphere.c \
 	src/data/scene/source_sphere.h \
 	src/data/scene/synonyms.c \

@@ -3,6 +3,7 @@
 #include "data/scene/region.h"
 
 #include <math.h>
+#include <string.h>
 
 static double dot(const double a[3], const double b[3]) {
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
@@ -28,6 +29,10 @@ bool region_contains(const struct region *region, const struct region_space *spa
         return true;
     case REGION_SPHERE:
         return room >= 0 && dot(d, d) <= room * room;
+    case REGION_SURFACE: {
+        double depth = region->surface->depth(region->surface->context, x);
+        return depth > 0 && depth >= margin;
+    }
     default:
         if (space->dimension == 3 && fabs(along) > region->length / 2 - margin)
             return false;
@@ -36,6 +41,11 @@ bool region_contains(const struct region *region, const struct region_space *spa
 }
 
 void region_bounds(const struct region *region, double lower[3], double upper[3]) {
+    if (region->shape == REGION_SURFACE) {
+        memcpy(lower, region->surface->lower, 3 * sizeof *lower);
+        memcpy(upper, region->surface->upper, 3 * sizeof *upper);
+        return;
+    }
     for (int k = 0; k < 3; k++) {
         double half = region->radius;
         if (region->shape == REGION_CYLINDER)
@@ -60,13 +70,15 @@ double region_volume(const struct region *region, const struct region_space *spa
         return volume;
     case REGION_SPHERE:
         return space->dimension == 2 ? M_PI * r * r : 4 * M_PI / 3 * r * r * r;
+    case REGION_SURFACE:
+        return region->surface->volume;
     default:
         return M_PI * r * r * (space->dimension == 2 ? 1 : region->length);
     }
 }
 
 double region_inradius(const struct region *region, const struct region_space *space) {
-    double radius = INFINITY;
+    double radius = INFINITY, lower[3], upper[3];
     switch (region->shape) {
     case REGION_ALL:
         return INFINITY;
@@ -77,6 +89,11 @@ double region_inradius(const struct region *region, const struct region_space *s
         return radius;
     case REGION_SPHERE:
         return region->radius;
+    case REGION_SURFACE: /* a bound: that of the box around it */
+        region_bounds(region, lower, upper);
+        for (int k = 0; k < 3; k++)
+            radius = fmin(radius, (upper[k] - lower[k]) / 2);
+        return radius;
     default:
         return space->dimension == 2 ? region->radius : fmin(region->radius, region->length / 2);
     }
@@ -106,4 +123,38 @@ bool region_draw(const struct region *region, const struct region_space *space, 
             return true;
     }
     return false;
+}
+
+/* Spheres and cylinders: what lies across the axis is shortened, then what lies along it. A sphere has no axis. */
+static void hold_round(const struct region *region, const struct region_space *space, double margin,
+                       double x[3]) {
+    bool rod = region->shape == REGION_CYLINDER;
+    double d[3], across[3], most = region->radius - margin;
+    for (int k = 0; k < 3; k++)
+        d[k] = k < space->dimension ? x[k] - region->centre[k] : 0;
+    double along = rod ? dot(d, region->axis) : 0, end = region->length / 2 - margin;
+    for (int k = 0; k < 3; k++)
+        across[k] = rod ? d[k] - along * region->axis[k] : d[k];
+    double square = dot(across, across), part = square > most * most ? most / sqrt(square) : 1;
+    double held = rod && space->dimension == 3 ? fmax(fmin(along, end), -end) : along;
+    for (int k = 0; k < space->dimension && (part < 1 || held != along); k++)
+        x[k] = region->centre[k] + part * across[k] + (rod ? held * region->axis[k] : 0);
+}
+
+void region_hold(const struct region *region, const struct region_space *space, const double from[3],
+                 double margin, double x[3]) {
+    switch (region->shape) {
+    case REGION_ALL:
+        return;
+    case REGION_BOX:
+        for (int k = 0; k < space->dimension; k++)
+            if (!space->wrap[k])
+                x[k] = fmin(fmax(x[k], region->lower[k] + margin), region->upper[k] - margin);
+        return;
+    case REGION_SURFACE:
+        region->surface->hold(region->surface->context, from, margin, x);
+        return;
+    default:
+        hold_round(region, space, margin, x);
+    }
 }

@@ -7,15 +7,28 @@
 #include "base/random.h"
 #include <stdbool.h>
 
-enum region_shape { REGION_ALL, REGION_BOX, REGION_SPHERE, REGION_CYLINDER };
+enum region_shape { REGION_ALL, REGION_BOX, REGION_SPHERE, REGION_CYLINDER, REGION_SURFACE };
+
+struct region;
+
+/* A closed surface that bounds a region: who makes the region also gives these, as no scene names one. */
+struct region_surface {
+    void *context;
+    /* The distance from x to the surface; 0 outside. Any thread. */
+    double (*depth)(void *context, const double x[3]);
+    /* As region_hold. Any thread. */
+    void (*hold)(void *context, const double from[3], double margin, double x[3]);
+    double lower[3], upper[3], volume;
+};
 
 struct region {
-    enum region_shape shape;   /* REGION_ALL: the whole simulation box */
-    double lower[3], upper[3]; /* BOX: corners */
-    double centre[3];          /* SPHERE; CYLINDER: middle of the axis */
-    double axis[3];            /* CYLINDER: unit vector */
-    double radius;             /* SPHERE, CYLINDER */
-    double length;             /* CYLINDER: whole length along the axis */
+    enum region_shape shape;              /* REGION_ALL: the whole simulation box */
+    double lower[3], upper[3];            /* BOX: corners */
+    double centre[3];                     /* SPHERE; CYLINDER: middle of the axis */
+    double axis[3];                       /* CYLINDER: unit vector */
+    double radius;                        /* SPHERE, CYLINDER */
+    double length;                        /* CYLINDER: whole length along the axis */
+    const struct region_surface *surface; /* SURFACE; borrowed */
 };
 
 /* The space of a region: two dimensions or three, and the directions in which the space wraps around (a box
@@ -46,5 +59,9 @@ double region_inradius(const struct region *region, const struct region_space *s
  * box until one fits, up to 1000 times; false if none did. */
 bool region_draw(const struct region *region, const struct region_space *space, double margin,
                  struct random_sequence *random, double x[3]);
+
+/* Brings a sphere of radius `margin`, which moved to x from a place wholly inside, back inside; changes x. Any thread. */
+void region_hold(const struct region *region, const struct region_space *space, const double from[3],
+                 double margin, double x[3]);
 
 #endif

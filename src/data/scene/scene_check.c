@@ -2,6 +2,7 @@
 /* Combinations of keys that cannot be: each is refused with its place before anything runs. */
 #include "data/scene/scene_check.h"
 #include "data/scene/mistakes.h"
+#include "data/scene/packed_radii.h"
 #include "data/scene/scene_check_box.h"
 #include "data/scene/scene_check_output.h"
 #include "data/scene/scene_check_walls.h"
@@ -198,6 +199,26 @@ static bool check_random(const struct scene *scene, const struct source_options 
            scene_fail(scene, error, key, "is missing; give count or volume_fraction");
 }
 
+static bool check_packed(const struct scene *scene, const struct source_options *source, const char *section,
+                         struct error *error) {
+    char key[96];
+    double smallest, largest;
+    snprintf(key, sizeof(key), "%s.volume_fraction", section);
+    if (source->count > 0 && source->volume_fraction > 0)
+        return scene_fail(
+            scene, error, key,
+            "beside count and a box: of count, volume_fraction and the size two decide the third; %s",
+            one_of_two);
+    snprintf(key, sizeof(key), "%s.count", section);
+    if (source->count == 0 && source->volume_fraction == 0)
+        return scene_fail(scene, error, key, "is missing; give count or volume_fraction");
+    sizes_bounds(&source->sizes, &smallest, &largest);
+    snprintf(key, sizeof(key), "%s.sizes", section);
+    return largest <= PACKED_RATIO_MAX * smallest ||
+           scene_fail(scene, error, key, "the largest size is more than %d times the smallest",
+                      PACKED_RATIO_MAX);
+}
+
 /* A spin needs a law that knows one. */
 static bool check_spin(const struct scene *scene, const double omega[3], const char *section,
                        struct error *error) {
@@ -240,12 +261,14 @@ static bool check_sources(const struct scene *scene, struct error *error) {
         const struct source_options *source = &scene->source[s];
         char section[64];
         snprintf(section, sizeof(section), "particles.sources[%d]", s);
-        bool generated = source->kind == SOURCE_LATTICE || source->kind == SOURCE_RANDOM;
+        bool generated =
+            source->kind == SOURCE_LATTICE || source->kind == SOURCE_RANDOM || source->kind == SOURCE_PACKED;
         if (generated && (!check_room(scene, &source->region, section, error) ||
                           !check_sizes(scene, &source->sizes, section, error)))
             return false;
         if ((source->kind == SOURCE_LATTICE && !check_lattice(scene, source, section, error)) ||
             (source->kind == SOURCE_RANDOM && !check_random(scene, source, section, error)) ||
+            (source->kind == SOURCE_PACKED && !check_packed(scene, source, section, error)) ||
             (source->kind == SOURCE_FILE && !check_file(scene, source, section, error)) ||
             !check_spin(scene, source->omega, section, error) ||
             !check_temperature(scene, source->temperature, section, error))

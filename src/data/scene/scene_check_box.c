@@ -90,9 +90,9 @@ static bool check_shear(const struct scene *scene, struct error *error) {
             return scene_fail(scene, error, d == shear->flow ? "box.shear.flow" : "box.shear.gradient",
                               "%c is not periodic; allowed: directions that box.periodic names", "xyz"[d]);
     for (int k = 0; k < scene->sources && shear->offset != 0; k++)
-        if (scene->source[k].kind == SOURCE_RANDOM)
+        if (scene->source[k].kind == SOURCE_RANDOM || scene->source[k].kind == SOURCE_PACKED)
             return scene_fail(scene, error, "box.shear.offset",
-                              "random sources place their particles at offset 0");
+                              "random sources and packed ones place their particles at offset 0");
     return check_alone(scene, "box.shear", error);
 }
 

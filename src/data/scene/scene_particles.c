@@ -13,7 +13,8 @@
 #include "data/formats/lammps_data.h"
 #include "kernel/particles/groups.h"
 #include "data/scene/lattice.h"
-#include "data/scene/packing.h"
+#include "data/scene/packed.h"
+#include "data/scene/scatter.h"
 #include "data/scene/source_ids.h"
 #include "data/scene/table.h"
 #include "data/scene/unique.h"
@@ -237,8 +238,9 @@ static bool make_batch(struct walk *walk, int source, struct source_batch *batch
     switch (options->kind) {
     case SOURCE_LATTICE:
         return lattice_make(walk->scene, source, batch, walk->error);
+    case SOURCE_PACKED:
     case SOURCE_RANDOM:
-        return true; /* place_random makes it, after all others */
+        return true; /* made after all others, packed ones first */
     case SOURCE_SINGLE:
         rows_create(&batch->rows, 1, ROWS_POSITION | ROWS_RADIUS);
         memcpy(batch->rows.position[0], options->position, sizeof(options->position));
@@ -275,16 +277,6 @@ static double random_radius(const struct scene *scene) {
     return unit;
 }
 
-/* Box-relative and wrapped; in two dimensions z is that of the plane. */
-static double box_coordinate(const struct box *box, int d, double x) {
-    double y = x - box->origin[d];
-    if (d == 2 && box->dimension == 2)
-        return box->edge[d] / 2;
-    if (box->periodic[d])
-        y -= floor(y / box->edge[d]) * box->edge[d];
-    return box->periodic[d] && y >= box->edge[d] ? 0 : y;
-}
-
 /* Places the spheres of random sources clear of those of all other sources, whose batches are made. */
 static bool place_random(const struct walk *walk, struct source_batch *batch, double unit) {
     const struct scene *scene = walk->scene;
@@ -292,21 +284,18 @@ static bool place_random(const struct walk *walk, struct source_batch *batch, do
     for (int s = 0; s < scene->sources; s++)
         for (size_t k = 0; k < batch[s].rows.count; k++) {
             struct source_sphere sphere = source_sphere_of(&scene->source[s], &batch[s], k);
-            bool sound = sphere.radius > 0 && isfinite(sphere.radius); /* else refused when it is taken */
-            for (int d = 0; d < 3; d++) {
-                sound = sound && isfinite(sphere.x[d]);
-                sphere.x[d] = box_coordinate(&scene->box, d, sphere.x[d]);
-            }
-            if (sound && !source_sphere_left_out(&scene->source[s], &sphere))
-                placegrid_add(grid, sphere.x, sphere.radius);
+            double x[3];
+            if (source_sphere_at(&scene->box, &sphere, x) &&
+                !source_sphere_left_out(&scene->source[s], &sphere))
+                placegrid_add(grid, x, sphere.radius);
         }
-    bool good = packing_make(scene, walk->share, grid, batch, walk->error);
+    bool good = scatter_make(scene, walk->share, grid, batch, walk->error);
     placegrid_destroy(&grid);
     return good;
 }
 
-/* All sources are made before the first is taken: random ones last of all, as these avoid all others, and new
- * ids leave out those of all files. */
+/* All sources are made before the first is taken: packed ones after those that stay, random ones last of all, as
+ * these avoid all others, and new ids leave out those of all files. */
 static bool take_sources(struct walk *walk) {
     const struct scene *scene = walk->scene;
     struct source_batch *batch =
@@ -315,6 +304,7 @@ static bool take_sources(struct walk *walk) {
     bool good = true;
     for (int s = 0; s < scene->sources && good; s++)
         good = make_batch(walk, s, &batch[s]);
+    good = good && packed_make(scene, walk->share, batch, walk->error);
     good = good && (!isfinite(unit) || place_random(walk, batch, unit));
     if (good)
         source_ids_begin(&walk->new_ids, scene, batch);

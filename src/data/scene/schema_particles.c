@@ -95,12 +95,17 @@ static const struct schema_name kind_names[] = {
     {"file", SOURCE_FILE, "read from a file"},
     {"lattice", SOURCE_LATTICE, "on a lattice"},
     {"random", SOURCE_RANDOM, "at random places without overlap, clear of walls (random sequential addition, largest first)"},
+    {"packed", SOURCE_PACKED, "at random places, then moved apart until none overlap, clear of walls: denser than random places alone"},
     {"single", SOURCE_SINGLE, "one particle"},
     {0}};
 static const struct schema_name format_names[] = {
     {"lammps-data", SOURCE_LAMMPS_DATA, "LAMMPS data file, atom_style sphere"},
     {"table", SOURCE_TABLE, "numbers in columns"},
     {"h5md", SOURCE_H5MD, "H5MD, in the form that this program writes"},
+    {0}};
+static const struct schema_name meets_names[] = {
+    {"push", SOURCE_PUSHES, "they are packed together with all other sources that push; those of a file, a lattice or a single one stay"},
+    {"yield", SOURCE_YIELDS, "they are packed by themselves, and those that overlap others are then taken out; volume_fraction is that before, count that after"},
     {0}};
 static const struct schema_name ids_names[] = {
     {"file", SOURCE_IDS_FILE, "the ids of the file stand; an id that another source has, too, is refused"},
@@ -158,18 +163,30 @@ static const struct schema_row source_rows[] = {
     {.key = "jitter", .type = SCHEMA_REAL, .range = "[0, 1]", .fallback = "0", .when = "from=lattice",
      SOURCE(jitter),
      .help = "random displacement, as a fraction of the largest displacement without overlaps of neighbours"},
-    {.key = "region", .type = SCHEMA_SECTION, .sub = &schema_region, .when = "from=lattice|random",
+    {.key = "region", .type = SCHEMA_SECTION, .sub = &schema_region, .when = "from=lattice|random|packed",
      .offset = offsetof(struct source_options, region), .help = "region of the particles; spheres lie wholly inside"},
-    {.key = "sizes", .type = SCHEMA_SECTION, .sub = &schema_sizes, .when = "from=lattice|random",
+    {.key = "sizes", .type = SCHEMA_SECTION, .sub = &schema_sizes, .when = "from=lattice|random|packed",
      .main = "radius", .offset = offsetof(struct source_options, sizes),
      .help = "radii of the particles; a bare length is one radius for all"},
-    {.key = "count", .type = SCHEMA_LONG, .range = "[0, inf)", .fallback = "0", .when = "from=lattice|random",
+    {.key = "count", .type = SCHEMA_LONG, .range = "[0, inf)", .fallback = "0", .when = "from=lattice|random|packed",
      SOURCE(count), .help = "number of particles; 0: as many as the lattice has places, or by volume_fraction",
      .example = "10000"},
     {.key = "volume_fraction", .type = SCHEMA_REAL, .range = "[0, 0.74]", .fallback = "0",
      .when = "from=random", SOURCE(volume_fraction),
      .help = "instead of count: solid volume (area in two dimensions) over the volume of the region; random places allow about "
              "0.38 with equal spheres (0.54 with discs), and more with wide size laws", .example = "0.3"},
+    {.key = "volume_fraction", .type = SCHEMA_REAL, .range = "[0, 0.9]", .fallback = "0",
+     .when = "from=packed", SOURCE(volume_fraction),
+     .help = "instead of count: solid volume (area in two dimensions) over the volume of the region. Together with count, if the scene gives no "
+             "box: the box is then the cube (square) from the origin that has this fraction", .example = "0.6"},
+    {.key = "meets", .type = SCHEMA_NAME, .names = meets_names, .fallback = "push", .when = "from=packed", SOURCE(meets),
+     .help = "what happens where the spheres meet those of other sources"},
+    {.key = "gap", .type = SCHEMA_REAL, .range = "[1e-6, 0.1]", .fallback = "0.001", .when = "from=packed", SOURCE(gap),
+     .help = "distance that neighbours are moved apart to, as part of the sum of their radii; of sources packed together the largest counts"},
+    {.key = "overlap", .type = SCHEMA_REAL, .range = "[0, 0.5]", .fallback = "0", .when = "from=packed", SOURCE(overlap),
+     .help = "largest overlap that may be left, as part of the smaller radius; of sources packed together the smallest counts"},
+    {.key = "sweeps", .type = SCHEMA_LONG, .range = "[1, 1e9]", .fallback = "20000", .when = "from=packed", SOURCE(sweeps),
+     .help = "gives up after so many sweeps over all spheres; of sources packed together the largest counts"},
     {.key = "attempts", .type = SCHEMA_LONG, .range = "[1, inf)", .fallback = "20000", .when = "from=random",
      SOURCE(attempts), .help = "places tried for one sphere before giving up"},
     {.key = "position", .type = SCHEMA_VECTOR, .unit = "m", .when = "from=single", .required = true,

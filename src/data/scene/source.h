@@ -18,7 +18,8 @@ enum {
     SOURCE_TYPES_MAX = 32
 };
 
-enum source_kind { SOURCE_FILE, SOURCE_LATTICE, SOURCE_RANDOM, SOURCE_SINGLE };
+enum source_kind { SOURCE_FILE, SOURCE_LATTICE, SOURCE_RANDOM, SOURCE_PACKED, SOURCE_SINGLE };
+enum source_meets { SOURCE_PUSHES, SOURCE_YIELDS };
 enum source_format { SOURCE_LAMMPS_DATA, SOURCE_TABLE, SOURCE_H5MD };
 enum source_ids_rule { SOURCE_IDS_FILE, SOURCE_IDS_NEW };
 enum source_lattice { SOURCE_SC, SOURCE_FCC, SOURCE_HCP, SOURCE_SQUARE, SOURCE_HEXAGONAL };
@@ -44,12 +45,17 @@ struct source_options {
     enum source_lattice lattice;
     double spacing; /* distance of neighbours, length unit */
     double jitter;  /* every coordinate moved by up to +- jitter x (spacing/2 - largest radius) */
-    /* LATTICE, RANDOM */
+    /* LATTICE, RANDOM, PACKED */
     struct region region;
     struct sizes_options sizes;
     int64_t count;          /* particles; 0: as many as the lattice has places, or by volume_fraction */
-    double volume_fraction; /* RANDOM: solid volume / volume of the region; 0: by count */
+    double volume_fraction; /* RANDOM, PACKED: solid volume / volume of the region; 0: by count */
     int64_t attempts;       /* RANDOM: places tried for one sphere before giving up */
+    /* PACKED */
+    enum source_meets meets; /* what happens where its spheres meet those of other sources */
+    double gap;              /* wanted between neighbours, as part of the sum of radii */
+    double overlap;          /* the largest that may be left, as part of the smaller radius */
+    int64_t sweeps;          /* at most */
     /* SINGLE */
     double position[3], radius;
     int64_t id; /* 0: a new one */

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
-/* The common part of the kinds of particle source. Each kind (table.h, lattice.h, packing.h) fills a batch,
+/* The common part of the kinds of particle source. Each kind (table.h, lattice.h, packed.h, scatter.h) fills a batch,
  * in the user's coordinates; source_sphere.h turns the rows of a batch into spheres, scene_particles.h
  * spheres into particles. */
 #ifndef SCREE_SCENE_SOURCE_BATCH_H

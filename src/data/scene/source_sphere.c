@@ -61,6 +61,25 @@ struct source_sphere source_sphere_of(const struct source_options *options, cons
     return sphere;
 }
 
+/* Box-relative and wrapped; in two dimensions z is that of the plane. */
+static double box_coordinate(const struct box *box, int d, double x) {
+    double y = x - box->origin[d];
+    if (d == 2 && box->dimension == 2)
+        return box->edge[d] / 2;
+    if (box->periodic[d])
+        y -= floor(y / box->edge[d]) * box->edge[d];
+    return box->periodic[d] && y >= box->edge[d] ? 0 : y;
+}
+
+bool source_sphere_at(const struct box *box, const struct source_sphere *sphere, double x[3]) {
+    bool sound = sphere->radius > 0 && isfinite(sphere->radius);
+    for (int d = 0; d < 3; d++) {
+        sound = sound && isfinite(sphere->x[d]);
+        x[d] = box_coordinate(box, d, sphere->x[d]);
+    }
+    return sound;
+}
+
 bool source_sphere_left_out(const struct source_options *options, const struct source_sphere *sphere) {
     return options->kind == SOURCE_FILE && sphere->radius > 0 &&
            !(sphere->radius > options->radius_above && sphere->radius <= options->radius_upto);

@@ -19,6 +19,10 @@ struct source_sphere {
 struct source_sphere source_sphere_of(const struct source_options *options, const struct source_batch *batch,
                                       size_t k);
 
+/* The centre, box-relative and wrapped; in two dimensions z is that of the plane. False if place or radius make no sense; such a sphere
+ * is refused when it is taken. */
+bool source_sphere_at(const struct box *box, const struct source_sphere *sphere, double x[3]);
+
 /* True if the source keeps to radii among which this one is not. */
 bool source_sphere_left_out(const struct source_options *options, const struct source_sphere *sphere);
 

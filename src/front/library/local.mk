@@ -8,6 +8,8 @@ libcalls_la_SOURCES = \
 	src/front/library/scree_observe.h \
 	src/front/library/scree_parts.c \
 	src/front/library/scree_parts.h \
+	src/front/library/scree_report.c \
+	src/front/library/scree_report.h \
 	src/front/library/scree_simulation.c \
 	src/front/library/scree_stages.c \
 	src/front/library/scree_stages.h \

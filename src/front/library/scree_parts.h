@@ -4,6 +4,7 @@
 #define SCREE_LIBRARY_SCREE_PARTS_H
 
 #include "engine/run.h"
+#include "engine/run_record.h"
 #include "engine/run_stages.h"
 #include "engine/state.h"
 #include "base/file.h"
@@ -29,6 +30,9 @@ struct scree_simulation {
     struct run_stages stages;
     struct scene *before;       /* of the stage that ends, while the next one begins */
     double *kept;               /* observables at the end of a stage, until the next step; NULL: none */
+    struct run_record record;   /* of the steps so far, for the report */
+    double spent, since;        /* seconds in these steps; clock at the start of the present one */
+    char *report;               /* the last one that was asked for; NULL: none */
     char folder[FILE_PATH_MAX]; /* of the checkpoints between stages; "": they are deleted */
 };
 

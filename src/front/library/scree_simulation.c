@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* A simulation in another program: made, stepped, ended. Read scree.h first. */
 #include "front/library/scree_observe.h"
+#include "front/library/scree_report.h"
 #include "front/library/scree_stages.h"
 #include "base/memory.h"
 #include "engine/checked.h"
@@ -60,6 +61,7 @@ static struct scene *scene_make(const struct comm *comm, const char *file, const
 /* Makes the parts of a simulation whose ranks are known. Collective. */
 static bool fill(struct scree_simulation *simulation, const char *file, const char *text,
                  const struct scree_options *options, struct error *error) {
+    double began = timer_now();
     const struct simulation_caller caller = {.log = {.tell = tell, .context = simulation},
                                              .force = options->force ? force : NULL,
                                              .context = simulation};
@@ -74,8 +76,11 @@ static bool fill(struct scree_simulation *simulation, const char *file, const ch
     simulation->scene->output.progress.mode = PROGRESS_OFF;
     simulation->state =
         simulation_create_for(&caller, &simulation->comm, simulation->scene, options->resume, error);
-    return simulation->state && scree_observe_begin(simulation, options->resume != NULL, error) &&
-           scree_stages_begin(simulation, error);
+    if (!simulation->state || !scree_observe_begin(simulation, options->resume != NULL, error) ||
+        !scree_stages_begin(simulation, error))
+        return false;
+    scree_report_begin(simulation, began);
+    return true;
 }
 
 struct scree_simulation *scree_create(const char *file, const char *text, const struct scree_options *options,
@@ -120,6 +125,7 @@ void scree_destroy(struct scree_simulation **simulation) {
     comm_leave(&s->comm);
     error_set_log(NULL);
     memory_free(s->row);
+    memory_free(s->report);
     memory_free(s);
     *simulation = NULL;
     scree_parts_leave(NULL, threads);
@@ -136,14 +142,18 @@ static bool step(struct scree_simulation *simulation, bool last, struct error *e
     bool sums =
         last || ends || scree_observe_due(simulation, next, time) || scree_stages_want_sums(simulation, next);
     bool seen = sums || run_stages_due(&simulation->stages, s, next);
+    simulation->since = timer_now();
     simulation->changed = false; /* a force of the caller may change something again */
     checked_step(s, sums, rebuild, !seen);
     scree_observe_drop(simulation);
+    simulation->record.particle_steps += (double)s->total;
     if (s->agree.signals.error || (s->ranks.alone && s->error.kind != ERROR_NONE))
         return false;
-    return (!scree_observe_due(simulation, s->clock.step, s->clock.time) ||
-            scree_observe_record(simulation, error)) &&
-           scree_stages_advance(simulation, error);
+    bool good = (!scree_observe_due(simulation, s->clock.step, s->clock.time) ||
+                 scree_observe_record(simulation, error)) &&
+                scree_stages_advance(simulation, error);
+    simulation->spent += timer_now() - simulation->since;
+    return good;
 }
 
 bool scree_step(struct scree_simulation *simulation, uint64_t steps, struct scree_error *error) {

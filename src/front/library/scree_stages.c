@@ -3,6 +3,7 @@
  * Read scree_stages.h first. */
 #include "front/library/scree_stages.h"
 #include "front/library/scree_observe.h"
+#include "front/library/scree_report.h"
 #include "engine/resume.h"
 #include "base/file.h"
 #include "data/scene/scene_files.h"
@@ -84,6 +85,7 @@ static bool folder_create(const struct comm *comm, char *path, struct error *err
 /* Makes the simulation of the next stage from the checkpoint `path`. The present one stays where this fails. */
 static bool go_on(struct scree_simulation *simulation, const char *path, struct error *error) {
     struct simulation *s = simulation->state;
+    double began = timer_now();
     if (!take_scene(simulation, (int)s->stage.number, error))
         return false;
     struct simulation *next =
@@ -101,7 +103,10 @@ static bool go_on(struct scree_simulation *simulation, const char *path, struct 
     simulation_destroy(&s);
     scene_free(&simulation->before);
     simulation->state = next;
-    return scree_observe_begin(simulation, true, error) && scree_stages_begin(simulation, error);
+    if (!scree_observe_begin(simulation, true, error) || !scree_stages_begin(simulation, error))
+        return false;
+    scree_report_begin(simulation, began);
+    return true;
 }
 
 /* Ends the present stage: a checkpoint, which is deleted unless the caller gave a folder, then the next stage. */

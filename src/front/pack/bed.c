@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* Height and solid fraction of a bed. Read bed.h first. */
 #include "front/pack/bed.h"
-#include "front/pack/container.h"
+#include "base/random.h"
 
 #include <math.h>
 
@@ -33,33 +33,23 @@ static double height_of(const struct rows *rows, double solid) {
     return upper;
 }
 
-/* The part of a mesh below a height, from random points. */
-static double mesh_below(const struct pack_container *container, double height, double seed) {
-    struct random_sequence random = random_sequence((uint64_t)seed, RANDOM_POSITION, 0);
-    double x[3];
+/* The volume of the region below a height, which counts from the lowest point of the rows' box. */
+static double volume_below(const struct region *region, const struct region_space *space,
+                           const struct rows *rows, double height) {
+    struct random_sequence random = random_sequence(1, RANDOM_POSITION, 0);
+    double x[3], volume = region_volume(region, space);
     int below = 0;
+    if (region->shape == REGION_BOX)
+        return volume * height / (region->upper[2] - region->lower[2]);
     for (int k = 0; k < POINTS; k++)
-        below += container_draw(container, 0, &random, x) && x[2] < height;
-    return container->volume * below / POINTS;
+        below += region_draw(region, space, 0, &random, x) && x[2] - rows->lower[2] < height;
+    return volume * below / POINTS;
 }
 
-/* The volume of the container below a height. */
-static double volume_below(const struct pack_container *container, double height, double seed) {
-    if (container->shape == PACK_MESH)
-        return mesh_below(container, height, seed);
-    if (container->shape == PACK_SPHERE)
-        return M_PI * height * height * (container->radius - height / 3);
-    return container->volume * height / container->box.edge[2];
-}
-
-bool bed_measure(struct pack_bed *bed, const struct pack_options *options, const struct rows *rows,
-                 struct error *error) {
-    struct pack_container container;
+struct bed bed_measure(const struct region *region, const struct region_space *space,
+                       const struct rows *rows) {
     double solid = solid_below(rows, INFINITY);
-    bool good = container_create(&container, options, solid, error);
-    bed->height = height_of(rows, bed_part * solid) - rows->lower[2];
-    if (good)
-        bed->fraction = bed_part * solid / volume_below(&container, bed->height, options->seed);
-    container_free(&container);
-    return good;
+    struct bed bed = {.height = height_of(rows, bed_part * solid) - rows->lower[2]};
+    bed.fraction = bed_part * solid / volume_below(region, space, rows, bed.height);
+    return bed;
 }

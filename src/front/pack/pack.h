@@ -1,17 +1,33 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
-/* Makes packings: spheres of a law of sizes in a container, at random, without overlap. One process with threads;
- * the result is the same bits for any number of threads. */
+/* Makes packings: the particles that the scene of a recipe makes, as rows. One process with threads; the result is the same bits for any
+ * number of threads. */
 #ifndef SCREE_PACK_PACK_H
 #define SCREE_PACK_PACK_H
 
 #include "data/formats/rows.h"
-#include "front/pack/options_read.h"
-#include "front/pack/pack_report.h"
+#include "data/scene/packed.h"
+#include "front/pack/bed.h"
+#include "front/pack/recipe.h"
 
-/* Makes a packing: rows with id from 1, position, radius, mass, material, and velocity if one is asked for.
- * The caller frees the rows with rows_free. Positions lie in the box of the rows, that around the container. Fails (user) if the spheres do not
- * fit. Opens its own thread team. */
-bool pack_make(const struct pack_options *options, const struct pack_hook *hook, struct rows *rows,
+/* What a packing tells its caller: while it is made, and when it is done. */
+struct pack_report {
+    struct packed_report packed; /* as the source tells, also while it works */
+    char container[256];         /* its shape and size in words */
+    double fraction;             /* of the container's volume that is solid */
+    double smallest, largest;    /* radii */
+    uint64_t kinds[2];           /* particles of the first and the second material */
+    struct bed bed;              /* of spheres that have settled; else all 0 */
+};
+
+/* Called now and then while the packing is made. */
+struct pack_hook {
+    void (*show)(void *context, const struct pack_report *report);
+    void *context;
+};
+
+/* Makes a packing: rows with id from 1, position, radius, mass, material, and velocity if one is asked for. The caller frees the rows
+ * with rows_free. Positions lie in the box of the rows. Fails (user) if the spheres do not fit. Opens its own thread team. */
+bool pack_make(const struct recipe *recipe, const struct pack_hook *hook, struct rows *rows,
                struct pack_report *report, struct error *error);
 
 #endif

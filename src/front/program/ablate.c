@@ -97,32 +97,52 @@ static bool variants_read(const struct comm *comm, struct variants *v, const str
     return true;
 }
 
+/* The columns of the table behind index and newton: name, row of the report, format. */
+static const struct {
+    const char *name, *row, *format;
+} columns[] = {{"ranks", "ranks", ",%.0f"},
+               {"threads", "threads", ",%.0f"},
+               {"particles", "particles", ",%.0f"},
+               {"steps", "steps", ",%.0f"},
+               {"seconds", "seconds", ",%.6g"},
+               {"particle_steps_per_second", "particle_steps_per_second", ",%.6g"},
+               {"pairs", "pairs", ",%.0f"},
+               {"contacts", "contacts", ",%.0f"},
+               {"rebuilds", "rebuilds", ",%.0f"},
+               {"bytes_per_particle", "bytes_per_particle", ",%.1f"},
+               {"peak_bytes", "memory_counted", ",%.0f"}};
+enum { COLUMNS = sizeof columns / sizeof columns[0] };
+
 static void table_head(FILE *table, const struct timers *timers) {
-    fprintf(table, "index,newton,ranks,threads,particles,steps,seconds,particle_steps_per_second,pairs,"
-                   "contacts,rebuilds,bytes_per_particle,peak_bytes");
+    fprintf(table, "index,newton");
+    for (int c = 0; c < COLUMNS; c++)
+        fprintf(table, ",%s", columns[c].name);
     for (int k = 0; k < timers->stages; k++)
         fprintf(table, ",%s[s]", timers->stage[k].name);
     fprintf(table, "\n");
     fflush(table);
 }
 
+static const char *newton_word(const struct report *r) {
+    return report_number(r, "newton") != 0 ? "on" : "off";
+}
+
 static void table_row(FILE *table, const struct report *r) {
-    fprintf(table, "%s,%s,%d,%d,%llu,%llu,%.6g,%.6g,%llu,%llu,%llu,%.1f,%llu", r->index,
-            r->newton ? "on" : "off", r->ranks, r->threads, (unsigned long long)r->particles,
-            (unsigned long long)r->steps, r->seconds, report_speed(r), (unsigned long long)r->pairs,
-            (unsigned long long)r->contacts, (unsigned long long)r->rebuilds, r->bytes_per_particle,
-            (unsigned long long)(r->bytes_per_particle * (double)r->particles));
-    for (int k = 0; k < r->stages; k++)
-        fprintf(table, ",%.6g", r->stage[k].mean);
+    const struct report_table *stages = report_list(r, "stages");
+    fprintf(table, "%s,%s", report_text(r, "index"), newton_word(r));
+    for (int c = 0; c < COLUMNS; c++)
+        fprintf(table, columns[c].format, report_number(r, columns[c].row));
+    for (int k = 0; k < stages->entries; k++)
+        fprintf(table, ",%.6g", report_list_number(stages, k, "mean"));
     fprintf(table, "\n");
     fflush(table);
 }
 
 static void print_row(const struct report *r) {
-    double rebuild = report_stages(r, TIMER_REBUILD, 0);
-    printf("  %-10s %-6s %7d %10.4f s %10.2f M/s %12llu pairs  rebuild %.4f s  %.0f bytes/particle\n",
-           r->index, r->newton ? "on" : "off", r->threads, r->seconds, report_speed(r) * 1e-6,
-           (unsigned long long)r->pairs, rebuild, r->bytes_per_particle);
+    printf("  %-10s %-6s %7.0f %10.4f s %10.2f M/s %12.0f pairs  rebuild %.4f s  %.0f bytes/particle\n",
+           report_text(r, "index"), newton_word(r), report_number(r, "threads"), report_number(r, "seconds"),
+           1e-6 * report_number(r, "particle_steps_per_second"), report_number(r, "pairs"),
+           report_number(r, "seconds_rebuild"), report_number(r, "bytes_per_particle"));
     fflush(stdout);
 }
 
@@ -169,8 +189,9 @@ static void row_take(const struct comm *comm, struct variants *v, struct report 
         table_row(table, report);
         print_row(report);
     }
-    v->slowest = report->seconds > v->slowest ? report->seconds : v->slowest;
-    v->rebuilds = (double)report->rebuilds;
+    double seconds = report_number(report, "seconds");
+    v->slowest = seconds > v->slowest ? seconds : v->slowest;
+    v->rebuilds = report_number(report, "rebuilds");
     report_destroy(report);
 }
 

@@ -196,13 +196,14 @@ static bool row_time(struct study *study, struct speed_row *row, struct error *e
     scene_free(&scene);
     if (!good)
         return false;
-    bool lone = report.ranks == 1 && report.threads == 1;
+    int ranks = report.ranks, threads = (int)report_number(&report, "threads");
+    bool lone = ranks == 1 && threads == 1;
     double spent = sample_clock_read(&stopwatch);
     comm_sum(study->comm, &spent, 1);
     row->cpu_seconds = fmin(row->cpu_seconds, spent);
-    row->seconds = fmin(row->seconds, lone ? spent : report.seconds);
-    study->reference.ranks = report.ranks;
-    study->reference.threads = report.threads;
+    row->seconds = fmin(row->seconds, lone ? spent : report_number(&report, "seconds"));
+    study->reference.ranks = ranks;
+    study->reference.threads = threads;
     report_destroy(&report);
     return true;
 }

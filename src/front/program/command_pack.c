@@ -8,7 +8,6 @@
 #include "data/formats/h5md.h"
 #include "data/formats/lammps_data.h"
 #include "data/observe/progress.h"
-#include "front/pack/laws.h"
 #include "front/pack/pack.h"
 #include <inttypes.h>
 #include <string.h>
@@ -23,7 +22,7 @@ struct request {
     int settings, outputs;
     const char *setting[COMMAND_FILES_MAX];
     const char *output[COMMAND_FILES_MAX];
-    struct pack_options options;
+    struct recipe recipe;
 };
 
 /* The progress: on a terminal one line that is overwritten; else a line every few seconds. */
@@ -51,12 +50,12 @@ static void show_text(struct progress_line *line, const char *text) {
     fflush(stderr);
 }
 
-static void show_sweep(void *context, const char *what, const struct relax_state *state) {
+static void show_sweep(void *context, const struct pack_report *report) {
     char text[PROGRESS_COLUMNS_MAX + 1];
-    if (!show_due(context))
+    if (report->packed.sweeps == 0 || !show_due(context))
         return;
-    snprintf(text, sizeof text, "%s: sweep %d, largest overlap %.3g of the smaller radius", what,
-             state->sweep, state->overlap);
+    snprintf(text, sizeof text, "sweep %d, largest overlap %.3g of the smaller radius", report->packed.sweeps,
+             report->packed.overlap);
     show_text(context, text);
 }
 
@@ -118,14 +117,14 @@ static bool read_request(struct request *request, struct error *error) {
     if (request->outputs == 0)
         return error_set(error, ERROR_USER,
                          "command line: scree pack needs a file to write: NAME.data or NAME.h5");
-    return pack_options_read(&request->options, line->file[0], request->setting, request->settings, error);
+    return recipe_read(&request->recipe, line->file[0], request->setting, request->settings, error);
 }
 
 /* Writes the frame by all ranks, as parallel HDF5 requires; rank 0 has all rows, the other ranks have
  * none. */
 static bool write_h5md(const struct comm *comm, const char *path, const struct request *request,
                        const struct rows *rows, struct error *error) {
-    struct h5md_head head = {.dimensionless = true, .xdmf = true, .seed = (uint64_t)request->options.seed};
+    struct h5md_head head = {.dimensionless = true, .xdmf = true, .seed = request->recipe.scene->seed};
     struct h5md *h5md = NULL;
     struct frame frame;
     frame_from_rows(&frame, rows);
@@ -173,23 +172,20 @@ static void print_settled(const struct pack_report *report, const struct settle_
 
 static void print_report(const struct request *request, const struct pack_report *report, size_t count,
                          double seconds) {
-    const struct pack_options *o = &request->options;
-    printf("law %s, seed %.0f: %zu particles in %s\n", pack_law_name(o->law), o->seed, count,
+    const struct recipe *recipe = &request->recipe;
+    const struct packed_report *packed = &report->packed;
+    printf("law %s, seed %" PRIu64 ": %zu particles in %s\n", recipe->law->name, recipe->scene->seed, count,
            report->container);
     printf("radii %.6g to %.6g, solid fraction %.4f\n", report->smallest, report->largest, report->fraction);
-    if (o->law == PACK_SAND)
-        printf("part of the particles in the broad peak, by number: %g\n", o->broad);
-    if (o->law == PACK_BIDISPERSE) {
-        printf("%" PRIu64 " large, %" PRIu64
-               " small; the small ones began at a solid fraction of %.4f; %" PRIu64
+    if (recipe->broad > 0)
+        printf("part of the particles in the broad peak, by number: %g\n", recipe->broad);
+    if (packed->started > 0)
+        printf("%" PRIu64 " large, %" PRIu64 " small; the small ones began as %" PRIu64 ": %" PRIu64
                " were removed at large ones, %" PRIu64 " at random\n",
-               report->large, report->small, report->started_fraction, report->removed, report->thinned);
-        if (report->difference != 0)
-            printf("%+" PRId64 " small ones against the wanted number\n", report->difference);
-    }
-    printf("largest overlap %.3g of the smaller radius%s\n", report->overlap,
-           report->overlap > 0 ? "" : " (none overlap)");
-    printf("%d sweeps, %.1f s, at most %.0f bytes a particle\n", report->sweeps, seconds,
+               report->kinds[1], report->kinds[0], packed->started, packed->removed, packed->thinned);
+    printf("largest overlap %.3g of the smaller radius%s\n", packed->overlap,
+           packed->overlap > 0 ? "" : " (none overlap)");
+    printf("%d sweeps, %.1f s, at most %.0f bytes a particle\n", packed->sweeps, seconds,
            (double)memory_peak() / (double)(count ? count : 1));
 }
 
@@ -201,15 +197,15 @@ static bool make(const struct comm *comm, const struct request *request, struct 
     struct settle_hook settling = {.show = show_settling, .context = &line};
     struct settle_state settled = {0};
     struct pack_report report;
-    bool quiet = request->line->quiet, settle = request->options.settle == PACK_SETTLED;
+    bool quiet = request->line->quiet, settle = request->recipe.settles;
     if (comm->rank > 0)
         return true;
     if (comm->size > 1 && !quiet)
         fprintf(stderr, "scree: pack works on one rank, with threads; the other %d wait\n", comm->size - 1);
     double began = timer_now();
     bool good =
-        pack_make(&request->options, quiet ? NULL : &hook, rows, &report, error) &&
-        (!settle || pack_settle(&request->options, quiet ? NULL : &settling, rows, &report, &settled, error));
+        pack_make(&request->recipe, quiet ? NULL : &hook, rows, &report, error) &&
+        (!settle || pack_settle(&request->recipe, quiet ? NULL : &settling, rows, &report, &settled, error));
     end_progress(&line);
     if (good && !quiet)
         print_report(request, &report, rows->count, timer_now() - began);
@@ -233,5 +229,6 @@ int command_pack(const struct comm *comm, const struct command_line *line, struc
     if (comm_agree(comm, error))
         write_files(comm, &request, &rows, error);
     rows_free(&rows);
+    recipe_free(&request.recipe);
     return error->kind;
 }

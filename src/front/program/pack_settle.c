@@ -87,16 +87,17 @@ static void write_mesh(FILE *out, const char *path, double scale) {
     fprintf(out, ", scale: %.17g}\n", scale);
 }
 
-static void write_walls(FILE *out, const struct pack_options *o, const struct rows *rows,
+static void write_walls(FILE *out, const struct recipe *r, const struct rows *rows,
                         const struct files *files) {
     fputs("walls:\n", out);
-    if (o->shape == PACK_MESH || o->shape == PACK_SPHERE) {
-        write_mesh(out, o->shape == PACK_MESH ? o->file : files->ball, o->shape == PACK_MESH ? o->scaled : 1);
+    if (r->shape == RECIPE_MESH || r->shape == RECIPE_SPHERE) {
+        write_mesh(out, r->shape == RECIPE_MESH ? r->file : files->ball,
+                   r->shape == RECIPE_MESH ? r->scaled : 1);
         return;
     }
-    if (o->shape == PACK_CYLINDER)
-        fprintf(out, "  - {shape: cylinder, point: [0, 0, 0], axis: [0, 0, 1], radius: %.17g}\n", o->radius);
-    for (int axis = o->shape == PACK_CYLINDER ? 2 : 0; axis < 3; axis++) {
+    if (r->shape == RECIPE_CYLINDER)
+        fprintf(out, "  - {shape: cylinder, point: [0, 0, 0], axis: [0, 0, 1], radius: %.17g}\n", r->radius);
+    for (int axis = r->shape == RECIPE_CYLINDER ? 2 : 0; axis < 3; axis++) {
         write_plane(out, rows->lower, axis, 1);
         write_plane(out, rows->upper, axis, -1);
     }
@@ -111,19 +112,19 @@ static double weight_of(const struct rows *rows, double fraction) {
     return height_of(rows) * fmin(fmax(fraction, 0.15), 0.6);
 }
 
-static void write_scene(FILE *out, const struct pack_options *o, const struct rows *rows,
-                        const struct files *files, double weight) {
+static void write_scene(FILE *out, const struct recipe *r, const struct rows *rows, const struct files *files,
+                        double weight) {
     double effective = 6 * weight / (0.94 * pow(overlap_wanted, 1.5));
     double young = 2 * (1 - poisson * poisson) * effective;
-    fprintf(out, "units: none\nreproducible: true\nthreads: %.0f\ngravity: [0, 0, -1]\n", o->threads);
+    fprintf(out, "units: none\nreproducible: true\nthreads: %d\ngravity: [0, 0, -1]\n", r->scene->threads);
     fprintf(out, "box: {lower: [%.17g, %.17g, %.17g], upper: [%.17g, %.17g, %.17g], periodic: false}\n",
             rows->lower[0], rows->lower[1], rows->lower[2], rows->upper[0], rows->upper[1], rows->upper[2]);
     fprintf(out, "step: {fraction: 0.5}\nduration: .inf\ncontact: {law: hertz, tangential: history, rolling: "
                  "spring}\n");
     fprintf(out, "materials: [{name: grain, density: 1, young: %.17g, poisson: %.17g}]\n", young, poisson);
-    fprintf(out, "material_pairs: [{restitution: 0.2, friction: %.17g, rolling_friction: %g}]\n", o->friction,
-            o->friction > 0 ? 0.01 : 0.0);
-    write_walls(out, o, rows, files);
+    fprintf(out, "material_pairs: [{restitution: 0.2, friction: %.17g, rolling_friction: %g}]\n", r->friction,
+            r->friction > 0 ? 0.01 : 0.0);
+    write_walls(out, r, rows, files);
     fputs("particles: {file: ", out);
     write_path(out, files->spheres);
     fputs(", format: lammps-data, density: 1, material: grain}\n", out);
@@ -201,18 +202,18 @@ static bool take_places(const struct scree_simulation *simulation, struct rows *
 }
 
 /* Writes the files of the scene. */
-static bool write_files(struct files *files, const struct pack_options *options, const struct rows *rows,
+static bool write_files(struct files *files, const struct recipe *recipe, const struct rows *rows,
                         struct error *error) {
     struct rows still = *rows;
     still.velocity = NULL;
     if (!temporary(files->spheres, error) || !lammps_data_write(files->spheres, &still, error))
         return false;
-    return options->shape != PACK_SPHERE ||
-           (temporary(files->ball, error) && write_ball(files->ball, options->radius, error));
+    return recipe->shape != RECIPE_SPHERE ||
+           (temporary(files->ball, error) && write_ball(files->ball, recipe->radius, error));
 }
 
 /* The simulation of the scene; NULL on failure. */
-static struct scree_simulation *create(const struct pack_options *options, const struct rows *rows,
+static struct scree_simulation *create(const struct recipe *recipe, const struct rows *rows,
                                        const struct files *files, double weight, struct error *error) {
     struct scree_simulation *simulation = NULL;
     struct scree_error told = {0};
@@ -223,7 +224,7 @@ static struct scree_simulation *create(const struct pack_options *options, const
         error_set(error, ERROR_SYSTEM, "no memory for the scene in which spheres settle");
         return NULL;
     }
-    write_scene(out, options, rows, files, weight);
+    write_scene(out, recipe, rows, files, weight);
     fclose(out);
     simulation = scree_create(NULL, text, NULL, &told);
     if (!simulation)
@@ -232,13 +233,13 @@ static struct scree_simulation *create(const struct pack_options *options, const
     return simulation;
 }
 
-bool pack_settle(const struct pack_options *options, const struct settle_hook *hook, struct rows *rows,
+bool pack_settle(const struct recipe *recipe, const struct settle_hook *hook, struct rows *rows,
                  struct pack_report *report, struct settle_state *state, struct error *error) {
     struct files files = {"", ""};
     struct scree_simulation *simulation = NULL;
     *state = (struct settle_state){0};
-    if (write_files(&files, options, rows, error))
-        simulation = create(options, rows, &files, weight_of(rows, report->fraction), error);
+    if (write_files(&files, recipe, rows, error))
+        simulation = create(recipe, rows, &files, weight_of(rows, report->fraction), error);
     for (char *path[] = {files.spheres, files.ball, NULL}, **at = path; *at; at++)
         if (**at)
             unlink(*at);
@@ -247,6 +248,11 @@ bool pack_settle(const struct pack_options *options, const struct settle_hook *h
     struct scale scale = scale_of(rows, report->smallest);
     bool good = fall(simulation, hook, &scale, state, error) && take_places(simulation, rows, error);
     scree_destroy(&simulation);
-    report->overlap = state->overlap;
-    return good && bed_measure(&report->bed, options, rows, error);
+    report->packed.overlap = state->overlap;
+    if (good) {
+        struct region_space space;
+        struct region region = recipe_region(recipe, &space);
+        report->bed = bed_measure(&region, &space, rows);
+    }
+    return good;
 }

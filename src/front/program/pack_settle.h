@@ -5,8 +5,7 @@
 
 #include "base/error.h"
 #include "data/formats/rows.h"
-#include "front/pack/options.h"
-#include "front/pack/pack_report.h"
+#include "front/pack/pack.h"
 
 /* The state of spheres that settle; `unbalanced` is nan without contacts. */
 struct settle_state {
@@ -24,13 +23,12 @@ struct settle_hook {
     void *context;
 };
 
-/* Runs a scene of these rows under gravity along -z between the walls of the container, with Hertz's law, a restitution of 0.2, the options'
+/* Runs a scene of these rows under gravity along -z between the walls of the container, with Hertz's law, a restitution of 0.2, the recipe's
  * friction, a rolling friction of 0.01, and a stiffness at which the weight of the bed presses spheres into each other by about half a percent of a
  * radius; ends when the speed and the unbalanced force are small, or after 100 fall times (`rests` of the state is then false). Changes the
  * positions, and fills the report's overlap and bed; needs its smallest radius and fraction. `hook` NULL: nobody is told. The spheres pass
- * to the scene by a temporary file in $TMPDIR or /tmp. Fails (system) if that file cannot be written, and as the scene and bed_measure
- * do. One process, with the threads of the options; the same bits for any number of them. */
-bool pack_settle(const struct pack_options *options, const struct settle_hook *hook, struct rows *rows,
+ * to the scene by a temporary file in $TMPDIR or /tmp. Fails (system) if that file cannot be written, and as the scene does. One process, with the threads of the recipe; the same bits for any number of them. */
+bool pack_settle(const struct recipe *recipe, const struct settle_hook *hook, struct rows *rows,
                  struct pack_report *report, struct settle_state *state, struct error *error);
 
 #endif

@@ -2,6 +2,7 @@
 /* Grains as a physics: contacts between grains and with walls, and the integrator that moves the grains. Read grains.h
  * first. */
 #include "physics/grains/grains_own.h"
+#include "engine/report_part.h"
 #include "kernel/pairs/skin.h"
 #include "kernel/pairs/sweep.h"
 #include "kernel/pairs/walk.h"
@@ -295,11 +296,10 @@ static void view(const struct physics_context *context, struct output_view *view
     view->taken = grains->taken;
 }
 
-static void report(const struct physics_context *context, struct report *report) {
+static void report(const struct physics_context *context, struct report_part *part) {
     const struct grains *grains = context->self;
-    const char *kernel = grains->loop ? force_loop_kernel(grains->loop) : walk_level_name(walk_level(NULL));
-    snprintf(report->simd, sizeof report->simd, "%s", kernel);
-    snprintf(report->law, sizeof report->law, "%s", law_row_get(grains->law.options.normal)->name);
+    part->simd = grains->loop ? force_loop_kernel(grains->loop) : walk_level_name(walk_level(NULL));
+    part->law = law_row_get(grains->law.options.normal)->name;
 }
 
 static const struct physics_mover mover = {.prepare = prepare,

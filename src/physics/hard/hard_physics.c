@@ -3,6 +3,7 @@
 #include "base/memory.h"
 #include "engine/notes.h"
 #include "physics/grains/grains.h"
+#include "engine/report_part.h"
 #include "physics/hard/hard_state.h"
 #include "kernel/particles/kinds.h"
 #include "kernel/particles/material.h"
@@ -248,15 +249,15 @@ static void resume(const struct physics_context *context, struct checkpoint_load
     hard_contacts_rename(&loaded->carried[PHYSICS_hard], now, loaded->walls, context->particles->owned);
 }
 
-static void report(const struct physics_context *context, struct report *report) {
+static void report(const struct physics_context *context, struct report_part *part) {
     const struct hard *hard = context->self;
-    report->solver[report->solvers++] = (struct report_solver){.name = "contacts",
-                                                               .rows = hard->last.rows,
-                                                               .solves = hard->solves,
-                                                               .iterations = hard->sweeps,
-                                                               .doubtful = hard->unmet,
-                                                               .residual = hard->last.residual,
-                                                               .residual_worst = hard->worst};
+    part->solver[part->solvers++] = (struct report_solver){.name = "contacts",
+                                                           .rows = hard->last.rows,
+                                                           .solves = hard->solves,
+                                                           .iterations = hard->sweeps,
+                                                           .doubtful = hard->unmet,
+                                                           .residual = hard->last.residual,
+                                                           .residual_worst = hard->worst};
 }
 
 /* What the springs of rigid contacts cost: the speed of news, and the overlap of the heaviest grain on one of the lightest. */

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """A running scene."""
 
+import json
 import os
 import sys
 import time
@@ -305,6 +306,14 @@ class Simulation:
         table = pandas.DataFrame(rows, columns=names)
         table.attrs["units"] = dict(self._columns, time="s")
         return table
+
+    def report(self):
+        """The report of the steps since the start, or since the present stage began, as a dict with the keys of report.json;
+        `seconds` are those in `run` alone."""
+        error = ffi.new("struct scree_error *")
+        text = lib.scree_report(self._open(), error)
+        check(text != ffi.NULL, error)
+        return json.loads(ffi.string(text))
 
     def checkpoint(self, folder):
         """Writes FOLDER/checkpoint-STEP.h5, from which the program and `resume` go on; returns the path."""

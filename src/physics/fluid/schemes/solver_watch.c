@@ -3,6 +3,7 @@
 #include "physics/fluid/schemes/solver_watch.h"
 #include "physics/fluid/coupling/grain_coupling.h"
 #include "physics/fluid/fluid_state.h"
+#include "engine/report_part.h"
 #include <stdio.h>
 #include <string.h>
 
@@ -71,30 +72,26 @@ void solver_watch_step(const struct physics_context *context) {
     fluid->doubtful = doubtful;
 }
 
-void solver_watch_report(const struct physics_context *context, struct report *all) {
+void solver_watch_report(const struct physics_context *context, struct report_part *part) {
     const struct fluid *fluid = context->self;
     for (int k = 0; fluid->solve != NULL && k < SYSTEMS; k++) {
         const struct solve_report *report = solve_total(fluid->solve, systems[k].prefix);
-        double seconds[4] = {report->seconds_matrix, report->seconds_set_up, report->seconds_solve,
-                             report->seconds_products};
-        comm_max(context->comm, seconds, 4);
         if (report->rows == 0)
             continue;
-        struct report_solver *row = &all->solver[all->solvers++];
-        *row = (struct report_solver){.rows = (uint64_t)report->rows,
-                                      .entries = (uint64_t)report->entries,
-                                      .solves = (uint64_t)report->solves,
-                                      .iterations = (uint64_t)report->iterations_all,
-                                      .set_ups = (uint64_t)report->set_ups,
-                                      .kept = (uint64_t)report->kept,
-                                      .doubtful = (uint64_t)report->doubtful,
-                                      .products = (uint64_t)report->products,
-                                      .residual = report->residual,
-                                      .residual_worst = report->residual_worst,
-                                      .seconds_matrix = seconds[0],
-                                      .seconds_set_up = seconds[1],
-                                      .seconds_solve = seconds[2],
-                                      .seconds_products = seconds[3]};
-        snprintf(row->name, sizeof row->name, "%s", systems[k].name);
+        part->solver[part->solvers++] = (struct report_solver){.name = systems[k].name,
+                                                               .rows = (uint64_t)report->rows,
+                                                               .entries = (uint64_t)report->entries,
+                                                               .solves = (uint64_t)report->solves,
+                                                               .iterations = (uint64_t)report->iterations_all,
+                                                               .set_ups = (uint64_t)report->set_ups,
+                                                               .kept = (uint64_t)report->kept,
+                                                               .doubtful = (uint64_t)report->doubtful,
+                                                               .products = (uint64_t)report->products,
+                                                               .residual = report->residual,
+                                                               .residual_worst = report->residual_worst,
+                                                               .seconds_matrix = report->seconds_matrix,
+                                                               .seconds_set_up = report->seconds_set_up,
+                                                               .seconds_solve = report->seconds_solve,
+                                                               .seconds_products = report->seconds_products};
     }
 }

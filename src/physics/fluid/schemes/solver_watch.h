@@ -13,6 +13,6 @@ bool solver_watch_begin(const struct physics_context *context);
 void solver_watch_step(const struct physics_context *context);
 
 /* As `report` of struct physics_shown. */
-void solver_watch_report(const struct physics_context *context, struct report *report);
+void solver_watch_report(const struct physics_context *context, struct report_part *part);
 
 #endif
