@@ -24,7 +24,15 @@ static const struct law_extra sticky = {
     .pull_off = 0.5};
 static const struct law_material soft[2] = {{"soft", 2500.0, 1e6, 0.2}, {"soft too", 2500.0, 1e6, 0.2}};
 
+/* The law with these coefficients; a part that they leave out has 0.05 where its key is required. */
 static inline struct law law_of(struct law_options options, struct law_extra extra) {
+    int count;
+    const struct law_given_key *key = law_given_keys(&count);
+    for (int k = 0; k < count; k++) {
+        double *value = (double *)((char *)&extra + key[k].offset);
+        if (key[k].required && *value == 0.0)
+            *value = 0.05;
+    }
     struct law_pair pair = {.restitution = 0.6,
                             .friction = 0.4,
                             .rolling_friction = 0.2,

@@ -248,6 +248,30 @@ static void batch_fill(struct force_batch *b, const struct law *law, struct rand
     }
 }
 
+/* The columns of a batch: each number of each cohesion, and each coefficient of a law, comes back in its member. */
+static void test_columns(void **state) {
+    (void)state;
+    static struct force_batch b;
+    union law_sticky sticky_in;
+    struct law_coefficients c, back;
+    for (size_t n = 0; n < sizeof sticky_in / sizeof(double); n++)
+        ((double *)&sticky_in)[n] = 1.0 + (double)n;
+    for (size_t n = 0; n < sizeof c / sizeof(double); n++)
+        ((double *)&c)[n] = 1.0 + (double)n;
+#define COLUMNS(NAME, name, with, summary)                                                                   \
+    {                                                                                                        \
+        memset(&b, 0, sizeof b);                                                                             \
+        force_set_sticky(&b, 3, LAW_COHESION_##NAME, &sticky_in);                                            \
+        struct cohesion_##name out = force_##name##_of(&b, 3);                                               \
+        assert_memory_equal(&out, &sticky_in, sizeof out);                                                   \
+    }
+    LAW_COHESION_PARTS(COLUMNS)
+#undef COLUMNS
+    force_set_coefficients(&b, 3, &c);
+    back = force_coefficients_of(&b, 3);
+    assert_memory_equal(&back, &c, sizeof c);
+}
+
 /* The vectorised loop of laws that rub as others do: forces, torques and memory to the last bit those of single contacts, by each
  * instruction set. */
 static void test_rub(void **state) {
@@ -413,6 +437,6 @@ int main(void) {
         cmocka_unit_test(test_mirror),     cmocka_unit_test(test_static_friction),
         cmocka_unit_test(test_refused),    cmocka_unit_test(test_epsd),
         cmocka_unit_test(test_root),       cmocka_unit_test(test_absent),
-        cmocka_unit_test(test_rub)};
+        cmocka_unit_test(test_rub),        cmocka_unit_test(test_columns)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
