@@ -139,7 +139,8 @@ static void test_thornton_sticky(void **state) {
     struct law_surfaces s = surfaces_of(&law, 1.0, 1.0);
     const double modulus = law_modulus(&law.pair[law_place_of(law.materials, 0, 1)]), gamma = 20.0, p = 1.5e5,
                  radius = 0.5;
-    const double roughness = 2.0 * sqrt(M_PI * gamma / modulus); /* s of parts/cohesion_jkr.h */
+    const double roughness =
+        2.0 * sqrt(M_PI * gamma / modulus); /* s of physics/grains/laws/parts/cohesion_jkr.h */
     double a_y = 0.0, step = 1e-7;
     while (modulus / M_PI * (2.0 * (a_y + step) / radius - roughness / sqrt(a_y + step)) < p)
         a_y += step;

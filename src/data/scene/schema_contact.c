@@ -21,7 +21,7 @@ static const struct schema_row material_rows[] = {
 };
 const struct schema_table schema_material = TABLE(material_rows);
 
-/* The keys of the parts of a law, each with its own (laws/law_part.h) */
+/* The keys of the parts of a law, each with its own (physics/grains/laws/law_part.h) */
 #define PART_KEY(condition, place, member, range_, ...) \
     {.key = #member, .type = SCHEMA_REAL, .when = condition, .range = range_, AT(struct scene_pair, extra.place.member), __VA_ARGS__},
 #define COHESION_KEY(part, member, ...) PART_KEY("/contact.cohesion.law=" #part, cohesion_##part, member, __VA_ARGS__)

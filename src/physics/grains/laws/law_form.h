@@ -47,7 +47,7 @@ struct law_extra; /* law_parts.h */
 /* Input of the kernel for a pair of materials, made once. k_n, k_t: of the springs; the form defines their meaning. c_n: coefficients
  * given: gamma_n, times m* and the form's contact; restitution: the form's `damper` times the damping ratio, times sqrt(m* x elastic
  * force / overlap). c_t: the same for the tangential damper; the rolling spring takes k_t and c_t too. Batches of contacts have a
- * column for each (batch/force_kernel.h). */
+ * column for each (src/physics/grains/batch/force_kernel.h). */
 #define LAW_COEFFICIENT_TABLE(ROW) ROW(k_n) ROW(k_t) ROW(c_n) ROW(c_t) ROW(friction) ROW(rolling_friction)
 #define LAW_COEFFICIENT_MEMBER(member) double member;
 struct law_coefficients {

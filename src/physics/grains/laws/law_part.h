@@ -11,7 +11,7 @@
  * out has a `.fallback`; where this is missing, too, the value is 0.
  *
  * A cohesion also states as KIND_NAME_NUMBERS what its formula takes, made once from the coefficients: these are the members of
- * struct KIND_NAME, and columns of the loop over contacts (batch/force_grip.h). The range, KIND_NAME_range, is no less for larger
+ * struct KIND_NAME, and columns of the loop over contacts (src/physics/grains/batch/force_grip.h). The range, KIND_NAME_range, is no less for larger
  * numbers: that of all pairs of materials is found from the largest of each. */
 #ifndef SCREE_LAWS_LAW_PART_H
 #define SCREE_LAWS_LAW_PART_H

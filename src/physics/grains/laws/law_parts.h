@@ -9,7 +9,8 @@
  *
  * How to add a part:
  *
- *   1. Write parts/KIND_NAME.h like its neighbours (parts/cohesion_dmt.h is the shortest cohesion): law_part.h says what it states.
+ *   1. Write laws/parts/KIND_NAME.h like its neighbours (physics/grains/laws/parts/cohesion_dmt.h is the shortest
+ *      cohesion): law_part.h says what it states.
  *      The functions of the pull of a cohesion are arithmetic without branches.
  *   2. Include it here, and add a row to the table of its kind: LAW_PULL_TABLE for a cohesion that pulls beside the springs.
  *   3. `make pages` writes its keys to docs/scene.md; describe the formula with its source in docs/physics.md.

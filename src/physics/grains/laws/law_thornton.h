@@ -3,7 +3,7 @@
  * Thornton and Ning (Powder Technol. 99 (1998) 154). Elastic as Hertz or JKR until the pressure in the middle of the
  * contact reaches the yield pressure p, at the contact radius a_y; from there on the pressure in the middle stays p; unloading
  * and reloading as Hertz or JKR with the flattened radius R_p around the overlap d_p that is left. With s of
- * parts/cohesion_jkr.h, 0 without surface energy, and the contact radius a as parameter,
+ * physics/grains/laws/parts/cohesion_jkr.h, 0 without surface energy, and the contact radius a as parameter,
  *
  *   yield     p = E* / pi (2 a_y/R* - s/sqrt(a_y))
  *   loading   F = F_y + pi p (a^2 - a_y^2) - 2 E* s a_y (sqrt(a) - sqrt(a_y)),  d = a^2/R* - s sqrt(a)
