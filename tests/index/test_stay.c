@@ -8,7 +8,7 @@
 #include <cmocka.h>
 
 #include "base/random.h"
-#include "tests/index/cloud.h"
+#include "tests/index/index_cloud.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -98,7 +98,7 @@ static bool rebuild(struct cloud *cloud, struct index *index, bool may_stay) {
     owned.around = around;
     if (!stays) {
         index_order(index, &owned, order);
-        cloud_reorder(cloud, order);
+        index_cloud_reorder(cloud, order);
     }
     free(order);
     view.ordered = true;
@@ -116,12 +116,12 @@ struct way {
 static void way_make(struct way *way, const struct cloud_spec *spec, double far) {
     struct cloud cloud;
     *way = (struct way){.spec = spec, .far = far};
-    cloud_make(&cloud, spec);
+    index_cloud_make(&cloud, spec);
     for (uint64_t step = 0; step < BUILDS; step++) {
         brute_set(&way->expected[step], &cloud);
         stir(&cloud, far, step);
     }
-    cloud_free(&cloud);
+    index_cloud_free(&cloud);
 }
 
 static void way_free(struct way *way) {
@@ -136,7 +136,7 @@ static int stays_on(const struct way *way, const char *name, const struct index_
     struct cloud cloud;
     char what[256];
     int stays = 0;
-    cloud_make(&cloud, way->spec);
+    index_cloud_make(&cloud, way->spec);
     cloud.view.threads = 2;
     struct index *index = index_create(name, params, &error);
     for (uint64_t step = 0; step < BUILDS; step++) {
@@ -149,7 +149,7 @@ static int stays_on(const struct way *way, const char *name, const struct index_
         stir(&cloud, way->far, step);
     }
     index_destroy(&index);
-    cloud_free(&cloud);
+    index_cloud_free(&cloud);
     return stays;
 }
 
@@ -206,7 +206,7 @@ static void other_particles_are_sorted(void **state) {
     struct error error = {0};
     struct cloud cloud;
     (void)state;
-    cloud_make(&cloud, &specs[0]);
+    index_cloud_make(&cloud, &specs[0]);
     struct index *index = index_create("bytype", &params, &error);
     assert_false(rebuild(&cloud, index, true)); /* there was no build */
     assert_false(rebuild(&cloud, index, false));
@@ -218,7 +218,7 @@ static void other_particles_are_sorted(void **state) {
     compare(&expected, &cloud, index, "another box");
     pair_set_free(&expected);
     index_destroy(&index);
-    cloud_free(&cloud);
+    index_cloud_free(&cloud);
 }
 
 int main(void) {
