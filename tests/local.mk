@@ -32,7 +32,7 @@ libtests_la_SOURCES = \
 	%D%/index/index_cloud.h %D%/law_parts_by_hand.h %D%/laws_by_hand.h %D%/mesh_by_hand.h %D%/mpi/cloud.h \
 	%D%/mpi/fixture.h %D%/mpi/folder.h %D%/mpi/lattice_matrix.h %D%/mpi/observed.h %D%/mpi/state.h \
 	%D%/mpi/team.h %D%/mpi/trajectory.h %D%/near.h %D%/own_law.h %D%/pairs_by_hand.h %D%/particles_by_hand.h \
-	%D%/scene_by_hand.h %D%/surface_by_hand.h %D%/walls_by_hand.h
+	%D%/scene_by_hand.h %D%/surface_by_hand.h %D%/test.h %D%/walls_by_hand.h
 EXTRA_DIST += \
 	%D%/examples_sanitized.sh %D%/granular/base.yaml %D%/granular/dmt.dump.gz %D%/granular/granular.data \
 	%D%/granular/hertz.dump.gz %D%/granular/in.granular %D%/granular/in.sheared %D%/granular/in.wall \

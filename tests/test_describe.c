@@ -1,10 +1,6 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* docs/output.md against the program: its tables, and the keys of report.json. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <cmocka.h>
+#include "tests/test.h"
 
 #include "base/memory.h"
 #include "engine/stages.h"
@@ -201,9 +197,5 @@ static void keys_of_the_report_are_described(void **state) {
     free(text);
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(page_is_current),
-                                       cmocka_unit_test(damaged_pages_are_refused),
-                                       cmocka_unit_test(keys_of_the_report_are_described)};
-    return cmocka_run_group_tests_name("describe", tests, NULL, NULL);
-}
+TEST_MAIN(describe, cmocka_unit_test(page_is_current), cmocka_unit_test(damaged_pages_are_refused),
+          cmocka_unit_test(keys_of_the_report_are_described))

@@ -1,11 +1,9 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* The factor of a drive over time. */
+#include "tests/test.h"
+
 #include "physics/fluid/schemes/flow_drive.h"
 #include <math.h>
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <cmocka.h>
 #include "near.h"
 
 static void test_factor(void **state) {
@@ -29,7 +27,4 @@ static void test_factor(void **state) {
                                flow_drive_factor(&table, false, t), 1e-12);
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(test_factor)};
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+TEST_MAIN(fluid_drive, cmocka_unit_test(test_factor))

@@ -1,16 +1,14 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* What walls and open sides do to the operators of a fluid, against closed forms. Read physics/fluid/operators/weights.h first. */
+#include "tests/test.h"
+
 #include "base/memory.h"
 #include "physics/fluid/lattice/body_surfaces.h"
 #include "physics/fluid/operators/surface_forces.h"
 #include "physics/fluid/lattice/mirror.h"
 #include "fluid_cloud.h"
 #include <math.h>
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
 #include <string.h>
-#include <cmocka.h>
 #include "near.h"
 
 static const double spin[3] = {0.7, -0.4, 1.3}, slide[3] = {0.2, 0.5, 0};
@@ -198,8 +196,5 @@ static void test_open(void **state) {
     open_by(true);
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(test_turn), cmocka_unit_test(test_couple),
-                                       cmocka_unit_test(test_open)};
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+TEST_MAIN(fluid_walls, cmocka_unit_test(test_turn), cmocka_unit_test(test_couple),
+          cmocka_unit_test(test_open))

@@ -1,10 +1,6 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
-/* Makes random clouds and compares sets of pairs. Read cloud.h first. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <cmocka.h>
+/* Makes random clouds and compares sets of pairs. Read index_cloud.h first. */
+#include "tests/test.h"
 
 #include "tests/index/index_cloud.h"
 

@@ -1,15 +1,12 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* The choice of auto: levels, cuts and cells for scenes with a clear answer, and equal choices for equal
  * scenes. */
+#include "tests/test.h"
+
 #include "index/choose/auto_choose.h"
 #include "tests/index/index_cloud.h"
 
 #include <math.h>
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <cmocka.h>
 #include <string.h>
 
 enum { RADII = 4000 };
@@ -223,12 +220,7 @@ static void cell_factors_are_kept(void **state) {
     index_cloud_free(&cloud);
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(equal_sizes_share_a_level),  cmocka_unit_test(sizes_far_apart_do_not),
-        cmocka_unit_test(wide_laws_get_a_few_levels), cmocka_unit_test(equal_levels_have_equal_occupancy),
-        cmocka_unit_test(choices_have_no_memory),     cmocka_unit_test(variants_find_the_same),
-        cmocka_unit_test(cell_factors_are_kept),      cmocka_unit_test(unwanted_pairs_cost_nothing),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+TEST_MAIN(auto, cmocka_unit_test(equal_sizes_share_a_level), cmocka_unit_test(sizes_far_apart_do_not),
+          cmocka_unit_test(wide_laws_get_a_few_levels), cmocka_unit_test(equal_levels_have_equal_occupancy),
+          cmocka_unit_test(choices_have_no_memory), cmocka_unit_test(variants_find_the_same),
+          cmocka_unit_test(cell_factors_are_kept), cmocka_unit_test(unwanted_pairs_cost_nothing))

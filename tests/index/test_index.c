@@ -1,10 +1,6 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* The contract's other promises: names, orders, threads, memory, descriptions. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <cmocka.h>
+#include "tests/test.h"
 
 #include "tests/index/index_cloud.h"
 
@@ -328,18 +324,10 @@ static void checks_notice_moved_particles(void **state) {
     index_cloud_free(&cloud);
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(unknown_names_list_the_known),
-        cmocka_unit_test(orders_are_stable_permutations),
-        cmocka_unit_test(brute_orders_nothing),
-        cmocka_unit_test(threads_find_the_same_pairs),
-        cmocka_unit_test(indexes_can_be_rebuilt),
-        cmocka_unit_test(an_order_need_not_be_followed),
-        cmocka_unit_test(memory_grows_with_particles_alone),
-        cmocka_unit_test(released_indexes_can_be_rebuilt),
-        cmocka_unit_test(descriptions_account_for_all),
-        cmocka_unit_test(checks_notice_moved_particles),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+TEST_MAIN(index, cmocka_unit_test(unknown_names_list_the_known),
+          cmocka_unit_test(orders_are_stable_permutations), cmocka_unit_test(brute_orders_nothing),
+          cmocka_unit_test(threads_find_the_same_pairs), cmocka_unit_test(indexes_can_be_rebuilt),
+          cmocka_unit_test(an_order_need_not_be_followed),
+          cmocka_unit_test(memory_grows_with_particles_alone),
+          cmocka_unit_test(released_indexes_can_be_rebuilt), cmocka_unit_test(descriptions_account_for_all),
+          cmocka_unit_test(checks_notice_moved_particles))

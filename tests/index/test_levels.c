@@ -1,11 +1,7 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* Every index against brute: exact sets of pairs over clouds of all kinds. The clouds have a third of the particles, with
  * SCREE_SHORT, as under sanitizers, an eighth, with SCREE_LONG all. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <cmocka.h>
+#include "tests/test.h"
 
 #include "index/search/search.h"
 #include "tests/index/index_cloud.h"
@@ -325,11 +321,6 @@ static int say_instructions(void **state) {
     return 0;
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(every_index_equals_brute),
-        cmocka_unit_test(unwanted_classes_never_meet),
-        cmocka_unit_test(unlike_pairs_of_changing_scenes),
-    };
-    return cmocka_run_group_tests(tests, say_instructions, NULL);
-}
+TEST_MAIN_GROUP(levels, say_instructions, NULL, cmocka_unit_test(every_index_equals_brute),
+                cmocka_unit_test(unwanted_classes_never_meet),
+                cmocka_unit_test(unlike_pairs_of_changing_scenes))

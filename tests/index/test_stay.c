@@ -1,11 +1,7 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* Particles that move and stay in their slots: the pairs are those of brute force, however far they move and wherever
  * they cross the box; and the particles are sorted again when that pays. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <cmocka.h>
+#include "tests/test.h"
 
 #include "base/random.h"
 #include "tests/index/index_cloud.h"
@@ -221,9 +217,5 @@ static void other_particles_are_sorted(void **state) {
     index_cloud_free(&cloud);
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(pairs_after_moves_equal_brute),
-                                       cmocka_unit_test(a_sort_comes_when_it_pays),
-                                       cmocka_unit_test(other_particles_are_sorted)};
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+TEST_MAIN(stay, cmocka_unit_test(pairs_after_moves_equal_brute), cmocka_unit_test(a_sort_comes_when_it_pays),
+          cmocka_unit_test(other_particles_are_sorted))

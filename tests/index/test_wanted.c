@@ -1,11 +1,7 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* Class pairs that are not wanted: a plain double loop finds the same pairs, and the index searches no
  * unwanted table. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <cmocka.h>
+#include "tests/test.h"
 
 #include "index/levels/levels.h"
 #include "index/levels/levels_plan.h"
@@ -234,11 +230,5 @@ static void who_meets_nobody_needs_no_cells(void **state) {
     index_cloud_free(&cloud);
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(a_plain_loop_finds_the_same),
-        cmocka_unit_test(searches_in_vain_are_left_out),
-        cmocka_unit_test(who_meets_nobody_needs_no_cells),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+TEST_MAIN(wanted, cmocka_unit_test(a_plain_loop_finds_the_same),
+          cmocka_unit_test(searches_in_vain_are_left_out), cmocka_unit_test(who_meets_nobody_needs_no_cells))
