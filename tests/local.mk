@@ -12,18 +12,21 @@ check_PROGRAMS += \
 	%D%/mpi/test_regions %D%/mpi/test_report %D%/mpi/test_scene_ranks %D%/mpi/test_shadows %D%/mpi/test_shear \
 	%D%/mpi/test_solve %D%/mpi/test_solve_interface %D%/mpi/test_stress %D%/test_board %D%/test_bodies \
 	%D%/test_bonds %D%/test_bonds_links %D%/test_checksum %D%/test_classes %D%/test_clump %D%/test_describe \
-	%D%/test_drag %D%/test_error %D%/test_exact %D%/test_file %D%/test_fluid_drive %D%/test_fluid_layer \
-	%D%/test_fluid_mls %D%/test_fluid_operators %D%/test_fluid_pattern %D%/test_fluid_walls %D%/test_force \
-	%D%/test_force_loop %D%/test_generate %D%/test_hard %D%/test_history %D%/test_insertion %D%/test_integrator \
-	%D%/test_interaction %D%/test_lammps %D%/test_law %D%/test_law_impact %D%/test_law_motion %D%/test_law_parts \
-	%D%/test_library %D%/test_memory %D%/test_mesh %D%/test_mesh_ply %D%/test_output_options %D%/test_pack \
-	%D%/test_pack_draw %D%/test_pairlist %D%/test_particles %D%/test_placegrid %D%/test_plan %D%/test_progress \
-	%D%/test_random %D%/test_region %D%/test_scan %D%/test_scene %D%/test_scene_allowed %D%/test_scene_check \
-	%D%/test_scene_compare %D%/test_scene_large %D%/test_schema %D%/test_sizes %D%/test_skin \
-	%D%/test_skin_choice %D%/test_source %D%/test_stability %D%/test_sweep %D%/test_team %D%/test_timer \
-	%D%/test_timestep %D%/test_tree %D%/test_units %D%/test_version %D%/test_wall %D%/test_wall_edge \
-	%D%/test_wall_history %D%/test_wall_images %D%/test_wall_mesh %D%/test_wall_motion %D%/test_wall_moving \
-	%D%/test_wall_touch
+	%D%/test_drag %D%/test_error %D%/test_exact %D%/test_file %D%/test_fluid_arrangement \
+	%D%/test_fluid_body_surfaces %D%/test_fluid_correction_tensors %D%/test_fluid_drive \
+	%D%/test_fluid_gradient_correction %D%/test_fluid_grain_coupling %D%/test_fluid_layer %D%/test_fluid_mirror \
+	%D%/test_fluid_mls %D%/test_fluid_open_sides %D%/test_fluid_operators %D%/test_fluid_particle_shift \
+	%D%/test_fluid_pattern %D%/test_fluid_residual %D%/test_fluid_scalar_links %D%/test_fluid_walls \
+	%D%/test_force %D%/test_force_loop %D%/test_generate %D%/test_hard %D%/test_history %D%/test_insertion \
+	%D%/test_integrator %D%/test_interaction %D%/test_lammps %D%/test_law %D%/test_law_impact \
+	%D%/test_law_motion %D%/test_law_parts %D%/test_library %D%/test_memory %D%/test_mesh %D%/test_mesh_ply \
+	%D%/test_output_options %D%/test_pack %D%/test_pack_draw %D%/test_pairlist %D%/test_particles \
+	%D%/test_placegrid %D%/test_plan %D%/test_progress %D%/test_random %D%/test_region %D%/test_scan \
+	%D%/test_scene %D%/test_scene_allowed %D%/test_scene_check %D%/test_scene_compare %D%/test_scene_large \
+	%D%/test_schema %D%/test_sizes %D%/test_skin %D%/test_skin_choice %D%/test_source %D%/test_stability \
+	%D%/test_sweep %D%/test_team %D%/test_timer %D%/test_timestep %D%/test_tree %D%/test_units %D%/test_version \
+	%D%/test_wall %D%/test_wall_edge %D%/test_wall_history %D%/test_wall_images %D%/test_wall_mesh \
+	%D%/test_wall_motion %D%/test_wall_moving %D%/test_wall_touch
 check_LTLIBRARIES += libtests.la
 libtests_la_SOURCES = \
 	%D%/fluid_cloud.c %D%/index/bench_fit.c %D%/index/bench_scene.c %D%/index/index_cloud.c %D%/mpi/cloud.c \
