@@ -119,6 +119,9 @@ static void too_few_are_noticed(void **state) {
                                                      0});
     assert_false(correction_tensors_make(&tensors, line, 6, 2));
     assert_true(tensors.gradient[0][0] == 1 && tensors.gradient[0][1] == 0 && tensors.condition == 0);
+    for (int k = 0; k < 6; k++) /* nearly on a line */
+        line[k] = neighbour_at(&kernel, (double[3]){0.3 * (k - 2.5), 1e-7 * (k % 3), 0});
+    assert_false(correction_tensors_make(&tensors, line, 6, 2));
     assert_false(correction_tensors_make(&tensors, cross, 4, 2));
     assert_true(tensors.laplacian[0] == 1 && tensors.condition == 0);
     assert_false(correction_tensors_make(&tensors, cross, 0, 2));

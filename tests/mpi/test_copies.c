@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* Copies against their definition, which every rank can apply to all particles: exactly the copies that the
- * rule demands, and no pair without its partner. Ranks: 1 2 3 4 8 27 */
+ * rule demands, and no pair without its partner. Ranks: 1 2 3 4 8 Long: 27 */
 #include "tests/test.h"
 
 #include "base/memory.h"

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* The plan carries values forward and sums back; and the plan describes itself.
- * Ranks: 1 2 3 4 8 27 */
+ * Ranks: 1 2 3 4 8 Long: 27 */
 #include "tests/test.h"
 
 #include "base/memory.h"
