@@ -1,120 +1,64 @@
 # SPDX-License-Identifier: BSD-3-Clause
-EXTRA_DIST += docs/architecture.md docs/building.md docs/features.md docs/scene.md
-EXTRA_DIST += docs/indexes.md docs/images/penetration.png
-EXTRA_DIST += docs/physics.md docs/user-law.md docs/fluid.md docs/fluid-limits.md docs/fluid-method.md \
-	docs/images/crushing.png docs/images/dumbbells.png docs/images/fluid-cavity.png docs/images/fluid-electroosmosis.png \
-	docs/images/fluid-spheres.png docs/images/fluid-vortices.png docs/images/fluidised-bed.png docs/images/gate.png docs/images/heated-drum.png \
-	docs/images/blade.png docs/images/repose.png docs/images/wet-pile.png
-EXTRA_DIST += docs/hard.md docs/packing.md docs/pictures.md docs/images/picture-drum.png docs/reports.md docs/images/report.png docs/images/report-ablation.png \
-	docs/index.md docs/tutorial.md docs/images/tutorial.png docs/images/site.png docs/site/conf.py
-EXTRA_DIST += docs/view.md docs/images/view.png
-EXTRA_DIST += docs/gallery.md docs/howto/cluster.md docs/howto/compaction.md docs/howto/coupling.md docs/howto/drum.md docs/howto/hopper.md \
-	docs/howto/pouring.md docs/howto/restart.md docs/howto/shear_cell.md docs/howto/sieve.md \
-	docs/images/gallery-compaction.png docs/images/gallery-compaction-plot.png \
-	docs/images/gallery-drum.png docs/images/gallery-drum-plot.png \
-	docs/images/gallery-hopper.png docs/images/gallery-hopper-plot.png \
-	docs/images/gallery-pouring.png docs/images/gallery-pouring-plot.png \
-	docs/images/gallery-shear_cell.png docs/images/gallery-shear_cell-plot.png \
-	docs/images/gallery-sieve.png docs/images/gallery-sieve-plot.png
-EXTRA_DIST += docs/library.md docs/python.md docs/site/Doxyfile
-EXTRA_DIST += docs/scaling.md docs/layouts.md \
-	docs/folders.dot docs/images/folders.svg docs/images/scaling-hybrid.svg docs/images/scaling-model.svg docs/images/scaling-ranks.svg \
-	docs/images/scaling-sizes.svg docs/images/scaling-speed.svg
-EXTRA_DIST += docs/accuracy.md \
-	docs/images/verify-beverloo-3d.svg \
-	docs/images/verify-beverloo.svg \
-	docs/images/verify-bonded-cantilever.svg \
-	docs/images/verify-bouncing.svg \
-	docs/images/verify-bowl.svg \
-	docs/images/verify-capillary-bridge.svg \
-	docs/images/verify-chain.svg \
-	docs/images/verify-chung-ooi-1.svg \
-	docs/images/verify-chung-ooi-2.svg \
-	docs/images/verify-chung-ooi-3.svg \
-	docs/images/verify-chung-ooi-4.svg \
-	docs/images/verify-chung-ooi-5.svg \
-	docs/images/verify-chung-ooi-6.svg \
-	docs/images/verify-chung-ooi-7.svg \
-	docs/images/verify-chung-ooi-8.svg \
-	docs/images/verify-cradle.svg \
-	docs/images/verify-dmt-pull-off.svg \
-	docs/images/verify-drift-hertz.svg \
-	docs/images/verify-drift-hooke.svg \
-	docs/images/verify-drum-angle.svg \
-	docs/images/verify-end-of-contact.svg \
-	docs/images/verify-fluid-annulus.svg \
-	docs/images/verify-fluid-cavity.svg \
-	docs/images/verify-fluid-couette.svg \
-	docs/images/verify-fluid-diffusion.svg \
-	docs/images/verify-fluid-electroosmosis.svg \
-	docs/images/verify-fluid-fluidised-bed.svg \
-	docs/images/verify-fluid-operators.svg \
-	docs/images/verify-fluid-poiseuille.svg \
-	docs/images/verify-fluid-sphere-array.svg \
-	docs/images/verify-fluid-taylor-aris.svg \
-	docs/images/verify-fluid-taylor-green.svg \
-	docs/images/verify-free-fall.svg \
-	docs/images/verify-haff.svg \
-	docs/images/verify-hard-boulder.svg \
-	docs/images/verify-hard-chain.svg \
-	docs/images/verify-hard-column.svg \
-	docs/images/verify-hard-haff.svg \
-	docs/images/verify-hard-impact.svg \
-	docs/images/verify-hard-rest.svg \
-	docs/images/verify-hard-sliding.svg \
-	docs/images/verify-hard-slope.svg \
-	docs/images/verify-implicit-hertz.svg \
-	docs/images/verify-heat-chain.svg \
-	docs/images/verify-heat-rod.svg \
-	docs/images/verify-incline.svg \
-	docs/images/verify-janssen.svg \
-	docs/images/verify-jkr-pull-off.svg \
-	docs/images/verify-lees-edwards-gas.svg \
-	docs/images/verify-luding-unloading.svg \
-	docs/images/verify-many-body.svg \
-	docs/images/verify-moving-wall.svg \
-	docs/images/verify-order-hertz.svg \
-	docs/images/verify-order-hooke.svg \
-	docs/images/verify-periodic.svg \
-	docs/images/verify-plane-mesh.svg \
-	docs/images/verify-restitution-hertz.svg \
-	docs/images/verify-restitution-hooke.svg \
-	docs/images/verify-restitution-speed.svg \
-	docs/images/verify-rolling-decay.svg \
-	docs/images/verify-settling.svg \
-	docs/images/verify-slide-to-roll.svg \
-	docs/images/verify-stack.svg \
-	docs/images/verify-sticking-velocity.svg \
-	docs/images/verify-tumbling-clump.svg \
-	docs/images/verify-turning-wall.svg \
-	docs/images/verify-vyas.svg \
-	docs/images/verify-wall-edge.svg
-EXTRA_DIST += docs/hard-cases.md
-EXTRA_DIST += docs/speed-error.md
-EXTRA_DIST += docs/images/speed-error-angle.svg docs/images/speed-error-column.svg \
-	docs/images/speed-error-drum.svg \
-	docs/images/speed-error-penetration.svg
-EXTRA_DIST += docs/performance.md docs/performance-index.md docs/performance-journal.md \
-	docs/images/performance-auto.svg \
-	docs/images/performance-cells.svg \
-	docs/images/performance-continuous.svg \
-	docs/images/performance-growth.svg \
-	docs/images/performance-optimum.svg \
-	docs/images/performance-roofline.svg \
-	docs/images/performance-univol.svg
-EXTRA_DIST += docs/results/performance
-EXTRA_DIST += docs/results/scaling/hybrid.jsonl docs/results/scaling/lengths.jsonl docs/results/scaling/ranks.jsonl \
-	docs/results/scaling/strong.jsonl docs/results/scaling/weak.jsonl \
-	docs/results/scaling/ghosts/lines.jsonl docs/results/scaling/ghosts/section.md \
-	docs/results/scaling/pupcs/lines.jsonl docs/results/scaling/pupcs/section.md \
-	docs/results/scaling/pupcs/sizes.jsonl docs/results/scaling/pupcs/sizes.md
+EXTRA_DIST += \
+	%D%/accuracy.md %D%/architecture.md %D%/building.md %D%/features.md %D%/fluid-limits.md %D%/fluid-method.md \
+	%D%/fluid.md %D%/folders.dot %D%/gallery.md %D%/hard-cases.md %D%/hard.md %D%/howto/cluster.md \
+	%D%/howto/compaction.md %D%/howto/coupling.md %D%/howto/drum.md %D%/howto/hopper.md %D%/howto/pouring.md \
+	%D%/howto/restart.md %D%/howto/shear_cell.md %D%/howto/sieve.md %D%/images/bead-packing.png \
+	%D%/images/bed-erosion.png %D%/images/blade.png %D%/images/crushing.png %D%/images/dumbbells.png \
+	%D%/images/fluid-cavity.png %D%/images/fluid-electroosmosis.png %D%/images/fluid-spheres.png \
+	%D%/images/fluid-vortices.png %D%/images/fluidised-bed.png %D%/images/folders.svg \
+	%D%/images/gallery-compaction-plot.png %D%/images/gallery-compaction.png %D%/images/gallery-drum-plot.png \
+	%D%/images/gallery-drum.png %D%/images/gallery-hopper-plot.png %D%/images/gallery-hopper.png \
+	%D%/images/gallery-pouring-plot.png %D%/images/gallery-pouring.png %D%/images/gallery-shear_cell-plot.png \
+	%D%/images/gallery-shear_cell.png %D%/images/gallery-sieve-plot.png %D%/images/gallery-sieve.png \
+	%D%/images/gate.png %D%/images/heated-drum.png %D%/images/penetration.png %D%/images/performance-auto.svg \
+	%D%/images/performance-cells.svg %D%/images/performance-continuous.svg %D%/images/performance-growth.svg \
+	%D%/images/performance-optimum.svg %D%/images/performance-roofline.svg %D%/images/performance-univol.svg \
+	%D%/images/picture-drum.png %D%/images/report-ablation.png %D%/images/report.png %D%/images/repose.png \
+	%D%/images/scaling-hybrid.svg %D%/images/scaling-model.svg %D%/images/scaling-ranks.svg \
+	%D%/images/scaling-sizes.svg %D%/images/scaling-speed.svg %D%/images/settling.png %D%/images/site.png \
+	%D%/images/speed-error-angle.svg %D%/images/speed-error-column.svg %D%/images/speed-error-drum.svg \
+	%D%/images/speed-error-penetration.svg %D%/images/tumbling.png %D%/images/tutorial.png \
+	%D%/images/two-sizes.png %D%/images/verify-beverloo-3d.svg %D%/images/verify-beverloo.svg \
+	%D%/images/verify-bonded-cantilever.svg %D%/images/verify-bouncing.svg %D%/images/verify-bowl.svg \
+	%D%/images/verify-capillary-bridge.svg %D%/images/verify-chain.svg %D%/images/verify-chung-ooi-1.svg \
+	%D%/images/verify-chung-ooi-2.svg %D%/images/verify-chung-ooi-3.svg %D%/images/verify-chung-ooi-4.svg \
+	%D%/images/verify-chung-ooi-5.svg %D%/images/verify-chung-ooi-6.svg %D%/images/verify-chung-ooi-7.svg \
+	%D%/images/verify-chung-ooi-8.svg %D%/images/verify-cradle.svg %D%/images/verify-dmt-pull-off.svg \
+	%D%/images/verify-drift-hertz.svg %D%/images/verify-drift-hooke.svg %D%/images/verify-drum-angle.svg \
+	%D%/images/verify-end-of-contact.svg %D%/images/verify-fluid-annulus.svg %D%/images/verify-fluid-cavity.svg \
+	%D%/images/verify-fluid-couette.svg %D%/images/verify-fluid-diffusion.svg \
+	%D%/images/verify-fluid-electroosmosis.svg %D%/images/verify-fluid-fluidised-bed.svg \
+	%D%/images/verify-fluid-operators.svg %D%/images/verify-fluid-poiseuille.svg \
+	%D%/images/verify-fluid-sphere-array.svg %D%/images/verify-fluid-taylor-aris.svg \
+	%D%/images/verify-fluid-taylor-green.svg %D%/images/verify-free-fall.svg %D%/images/verify-haff.svg \
+	%D%/images/verify-hard-boulder.svg %D%/images/verify-hard-chain.svg %D%/images/verify-hard-column.svg \
+	%D%/images/verify-hard-haff.svg %D%/images/verify-hard-impact.svg %D%/images/verify-hard-rest.svg \
+	%D%/images/verify-hard-sliding.svg %D%/images/verify-hard-slope.svg %D%/images/verify-heat-chain.svg \
+	%D%/images/verify-heat-rod.svg %D%/images/verify-implicit-hertz.svg %D%/images/verify-incline.svg \
+	%D%/images/verify-janssen.svg %D%/images/verify-jkr-pull-off.svg %D%/images/verify-lees-edwards-gas.svg \
+	%D%/images/verify-luding-unloading.svg %D%/images/verify-many-body.svg %D%/images/verify-moving-wall.svg \
+	%D%/images/verify-order-hertz.svg %D%/images/verify-order-hooke.svg %D%/images/verify-periodic.svg \
+	%D%/images/verify-plane-mesh.svg %D%/images/verify-restitution-hertz.svg \
+	%D%/images/verify-restitution-hooke.svg %D%/images/verify-restitution-speed.svg \
+	%D%/images/verify-rolling-decay.svg %D%/images/verify-settling.svg %D%/images/verify-slide-to-roll.svg \
+	%D%/images/verify-stack.svg %D%/images/verify-sticking-velocity.svg %D%/images/verify-tumbling-clump.svg \
+	%D%/images/verify-turning-wall.svg %D%/images/verify-vyas.svg %D%/images/verify-wall-edge.svg \
+	%D%/images/view.png %D%/images/wet-pile.png %D%/index.md %D%/indexes.md %D%/layouts.md %D%/library.md \
+	%D%/packing.md %D%/performance-index.md %D%/performance-journal.md %D%/performance.md %D%/physics.md \
+	%D%/pictures.md %D%/pores.md %D%/python.md %D%/reports.md %D%/results/performance %D%/results/pores \
+	%D%/results/scaling/ghosts/lines.jsonl %D%/results/scaling/ghosts/section.md \
+	%D%/results/scaling/hybrid.jsonl %D%/results/scaling/lengths.jsonl %D%/results/scaling/pupcs/lines.jsonl \
+	%D%/results/scaling/pupcs/section.md %D%/results/scaling/pupcs/sizes.jsonl \
+	%D%/results/scaling/pupcs/sizes.md %D%/results/scaling/ranks.jsonl %D%/results/scaling/strong.jsonl \
+	%D%/results/scaling/weak.jsonl %D%/scaling.md %D%/scene.md %D%/site/Doxyfile %D%/site/conf.py \
+	%D%/speed-error.md %D%/tutorial.md %D%/user-law.md %D%/view.md
 
 # The pages that the program writes, after a change of the schema, a field, an observable, a stage or the report
 .PHONY: pages
 pages: src/data/scene/document_scene src/engine/document_output
 	src/data/scene/document_scene >scene.md.new && mv scene.md.new $(top_srcdir)/docs/scene.md
 	src/engine/document_output <$(top_srcdir)/docs/output.md >output.md.new && mv output.md.new $(top_srcdir)/docs/output.md
-EXTRA_DIST += docs/pores.md docs/images/bead-packing.png docs/images/settling.png docs/images/tumbling.png docs/images/bed-erosion.png docs/images/two-sizes.png docs/results/pores
 
 # The pages as a site, from the source tree, where links from page to page hold; warnings, broken links too, are errors
 .PHONY: docs

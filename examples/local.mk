@@ -1,158 +1,71 @@
 # SPDX-License-Identifier: BSD-3-Clause
 # Examples: all of a folder ships and is installed; results of runs (out*) do not and are not.
 nobase_dist_pkgdata_DATA = \
-	examples/README.md examples/column/README.md examples/column/scene.yaml examples/common.sh
-nobase_dist_pkgdata_SCRIPTS = examples/flow.sh examples/speed-error.sh examples/step-fraction.sh
-
-bench = examples/bench
-nobase_dist_pkgdata_DATA += \
-	$(bench)/ablation.tsv $(bench)/bench.sh $(bench)/bidisperse.yaml $(bench)/chute.yaml $(bench)/cohesion.yaml \
-	$(bench)/chute_settle.yaml $(bench)/in.bidisperse $(bench)/in.cells $(bench)/in.chute \
-	$(bench)/in.continuous $(bench)/needs.yaml $(bench)/pairs.py $(bench)/packing.sh $(bench)/packing.yaml \
-	$(bench)/performance.head.md $(bench)/performance-guards.md $(bench)/performance-index.head.md \
-	$(bench)/performance-journal.head.md $(bench)/tables.sh
-nobase_dist_pkgdata_SCRIPTS += \
-	$(bench)/auto.sh $(bench)/bidisperse.sh $(bench)/cells.sh $(bench)/chute.sh $(bench)/cohesion.sh $(bench)/compare.sh \
-	$(bench)/continuous.sh $(bench)/fluid.sh $(bench)/growth.sh $(bench)/guards.sh $(bench)/needs.sh $(bench)/page.sh $(bench)/penetration.sh \
-	$(bench)/report.sh $(bench)/roofline.sh $(bench)/skin.sh $(bench)/table1.sh $(bench)/univol.sh
-
-bidisperse = examples/bidisperse
-nobase_dist_pkgdata_DATA += \
-	$(bidisperse)/README.md $(bidisperse)/bidisperse_R10.data.gz $(bidisperse)/compare.awk \
-	$(bidisperse)/energies.awk $(bidisperse)/energies.csv $(bidisperse)/scene.yaml \
-	$(bidisperse)/step0.dump.gz $(bidisperse)/step200.dump.gz
-nobase_dist_pkgdata_SCRIPTS += $(bidisperse)/check $(bidisperse)/run.sh
-
-nobase_dist_pkgdata_DATA += \
-	examples/cavity/README.md examples/cavity/scene.yaml \
-	examples/electroosmosis/README.md examples/electroosmosis/picture.gp examples/electroosmosis/scene.yaml \
-	examples/sphere_array/README.md examples/sphere_array/scene.yaml \
-	examples/taylor_green/README.md examples/taylor_green/scene.yaml
-nobase_dist_pkgdata_SCRIPTS += \
-	examples/cavity/check examples/cavity/run.sh \
-	examples/electroosmosis/check examples/electroosmosis/run.sh examples/electroosmosis/section.sh \
-	examples/sphere_array/check examples/sphere_array/run.sh \
-	examples/taylor_green/check examples/taylor_green/run.sh
-
-blade = examples/blade
-nobase_dist_pkgdata_DATA += $(blade)/README.md $(blade)/blade.txt $(blade)/picture.gp $(blade)/scene.yaml
-nobase_dist_pkgdata_SCRIPTS += $(blade)/check $(blade)/run.sh
-
-repose = examples/repose
-nobase_dist_pkgdata_DATA += \
-	$(repose)/README.md $(repose)/last.awk $(repose)/picture.gp $(repose)/scene.yaml $(repose)/slope.awk
-nobase_dist_pkgdata_SCRIPTS += $(repose)/check $(repose)/run.sh
-
-wet_pile = examples/wet_pile
-nobase_dist_pkgdata_DATA += $(wet_pile)/README.md $(wet_pile)/picture.gp $(wet_pile)/scene.yaml
-nobase_dist_pkgdata_SCRIPTS += $(wet_pile)/check $(wet_pile)/run.sh
-
-crushing = examples/crushing
-nobase_dist_pkgdata_DATA += \
-	$(crushing)/README.md $(crushing)/crushing.gp $(crushing)/curve.awk $(crushing)/grains.awk $(crushing)/picture.awk \
-	$(crushing)/scene.yaml $(crushing)/summary.awk
-nobase_dist_pkgdata_SCRIPTS += $(crushing)/check $(crushing)/run.sh
-
-nobase_dist_pkgdata_DATA += examples/gravel/README.md examples/gravel/scene.yaml
-
-gallery = examples/gallery
-nobase_dist_pkgdata_DATA += \
-	$(gallery)/README.md $(gallery)/compaction.yaml $(gallery)/drum.yaml $(gallery)/funnel.txt $(gallery)/gate.txt $(gallery)/hopper.yaml \
-	$(gallery)/pictures.txt $(gallery)/plot.gp $(gallery)/pouring.yaml $(gallery)/quick.txt $(gallery)/shear_cell.yaml $(gallery)/sieve.yaml \
-	$(gallery)/sieves.txt
-nobase_dist_pkgdata_SCRIPTS += $(gallery)/check $(gallery)/run.sh
-
-gate = examples/gate
-nobase_dist_pkgdata_DATA += $(gate)/README.md $(gate)/bottom.txt $(gate)/gate.txt $(gate)/picture.gp $(gate)/scene.yaml
-nobase_dist_pkgdata_SCRIPTS += $(gate)/check $(gate)/run.sh
-
-nobase_dist_pkgdata_DATA += examples/shear_cell/README.md examples/shear_cell/scene.yaml
-nobase_dist_pkgdata_SCRIPTS += examples/shear_cell/check examples/shear_cell/run.sh
-
-drum = examples/drum
-nobase_dist_pkgdata_DATA += \
-	$(drum)/README.md $(drum)/compare.awk $(drum)/lammps-1.csv $(drum)/lammps-2.csv $(drum)/lammps/data.awk \
-	$(drum)/lammps/in.drum $(drum)/particles.txt.gz $(drum)/scene.yaml $(drum)/walls.txt $(drum)/zones.gp
-nobase_dist_pkgdata_SCRIPTS += $(drum)/check $(drum)/lammps/run.sh $(drum)/run.sh
-
-heated_drum = examples/heated_drum
-nobase_dist_pkgdata_DATA += $(heated_drum)/README.md $(heated_drum)/picture.gp $(heated_drum)/scene.yaml
-nobase_dist_pkgdata_SCRIPTS += $(heated_drum)/check $(heated_drum)/run.sh
-
-fluid_settling = examples/settling
-nobase_dist_pkgdata_DATA += \
-	$(fluid_settling)/README.md $(fluid_settling)/liquids.txt $(fluid_settling)/picture.gp $(fluid_settling)/scene.yaml
-nobase_dist_pkgdata_SCRIPTS += $(fluid_settling)/check $(fluid_settling)/run.sh $(fluid_settling)/section.sh
-
-tumbling = examples/tumbling
-nobase_dist_pkgdata_DATA += $(tumbling)/README.md $(tumbling)/picture.gp $(tumbling)/scene.yaml
-nobase_dist_pkgdata_SCRIPTS += $(tumbling)/check $(tumbling)/run.sh $(tumbling)/section.sh
-
-two_sizes = examples/two_sizes
-nobase_dist_pkgdata_DATA += $(two_sizes)/README.md $(two_sizes)/picture.gp $(two_sizes)/scene.yaml
-nobase_dist_pkgdata_SCRIPTS += $(two_sizes)/check $(two_sizes)/run.sh
-
-bed_erosion = examples/bed_erosion
-nobase_dist_pkgdata_DATA += \
-	$(bed_erosion)/README.md $(bed_erosion)/bed.txt $(bed_erosion)/discs.txt $(bed_erosion)/fixed.txt $(bed_erosion)/picture.gp \
-	$(bed_erosion)/resolved.yaml $(bed_erosion)/scene.yaml
-nobase_dist_pkgdata_SCRIPTS += $(bed_erosion)/check $(bed_erosion)/run.sh $(bed_erosion)/section.sh
-
-fluidised = examples/fluidised_bed
-nobase_dist_pkgdata_DATA += $(fluidised)/README.md $(fluidised)/picture.gp $(fluidised)/scene.yaml
-nobase_dist_pkgdata_SCRIPTS += $(fluidised)/check $(fluidised)/run.sh $(fluidised)/section.sh
-
-hard = examples/hard
-nobase_dist_pkgdata_DATA += \
-	$(hard)/boulder.yaml $(hard)/coincide.yaml $(hard)/denormal.yaml $(hard)/edge.yaml $(hard)/faces.yaml \
-	$(hard)/far.txt $(hard)/far.yaml $(hard)/fast.yaml $(hard)/jammed.yaml $(hard)/lattice.txt \
-	$(hard)/limit.yaml $(hard)/oblique.yaml $(hard)/only_slivers.txt $(hard)/pair.yaml $(hard)/ratio.yaml \
-	$(hard)/slivers.txt $(hard)/square.txt
-nobase_dist_pkgdata_SCRIPTS += $(hard)/run.sh
-
-nobase_dist_pkgdata_DATA += \
-	examples/library/README.md examples/library/search.c examples/library/simulation.c
-
-penetration = examples/penetration
-nobase_dist_pkgdata_DATA += \
-	$(penetration)/README.md $(penetration)/compare.awk $(penetration)/depth.gp $(penetration)/lammps.csv \
-	$(penetration)/lammps/data.awk $(penetration)/lammps/in.penetration $(penetration)/lammps/tsuji.awk \
-	$(penetration)/particles.txt.gz \
-	$(penetration)/scene.yaml $(penetration)/walls.txt
-nobase_dist_pkgdata_SCRIPTS += \
-	$(penetration)/check $(penetration)/lammps/run.sh $(penetration)/layouts $(penetration)/run.sh
-
-dumbbells = examples/dumbbells
-nobase_dist_pkgdata_DATA += \
-	$(dumbbells)/README.md $(dumbbells)/members.awk $(dumbbells)/picture.gp $(dumbbells)/scene.yaml
-nobase_dist_pkgdata_SCRIPTS += $(dumbbells)/check $(dumbbells)/run.sh
-
-pupcs = examples/pupcs
-nobase_dist_pkgdata_DATA += \
-	$(pupcs)/README.md $(pupcs)/dense/scene.yaml $(pupcs)/large/scene.yaml $(pupcs)/sizes.gp \
-	$(pupcs)/sparse/scene.yaml
-nobase_dist_pkgdata_SCRIPTS += $(pupcs)/run.sh $(pupcs)/sizes.sh
-
-scaling = examples/scaling
-nobase_dist_pkgdata_DATA += \
-	$(scaling)/README.md $(scaling)/boulders.awk $(scaling)/boulders.yaml $(scaling)/figures.awk \
-	$(scaling)/hybrid.gp $(scaling)/job.slurm $(scaling)/lines.awk $(scaling)/model.awk $(scaling)/model.gp \
-	$(scaling)/ranks.gp $(scaling)/scene.yaml $(scaling)/speed.gp $(scaling)/tables.awk
-nobase_dist_pkgdata_SCRIPTS += $(scaling)/ghosts.sh $(scaling)/page.sh $(scaling)/run.sh
-
-bead_packing = examples/bead_packing
-nobase_dist_pkgdata_DATA += \
-	$(bead_packing)/README.md $(bead_packing)/close.yaml $(bead_packing)/cut.awk $(bead_packing)/flow.awk $(bead_packing)/flow.sh $(bead_packing)/open.awk $(bead_packing)/open.sh $(bead_packing)/packing.awk $(bead_packing)/picture.awk \
-	$(bead_packing)/picture.gp $(bead_packing)/pour.sh $(bead_packing)/pour.yaml $(bead_packing)/published.txt $(bead_packing)/scene.yaml \
-	$(bead_packing)/section.awk $(bead_packing)/summary.awk examples/pores.head.md
-nobase_dist_pkgdata_SCRIPTS += \
-	$(bead_packing)/breakthrough.sh $(bead_packing)/check $(bead_packing)/picture.sh $(bead_packing)/run.sh $(bead_packing)/section.sh examples/pores.sh
-
-ergun = examples/ergun
-nobase_dist_pkgdata_DATA += $(ergun)/README.md $(ergun)/scene.yaml $(ergun)/section.awk
-nobase_dist_pkgdata_SCRIPTS += $(ergun)/check $(ergun)/run.sh $(ergun)/section.sh
-
-fluid_scaling = examples/fluid_scaling
-nobase_dist_pkgdata_DATA += \
-	$(fluid_scaling)/README.md $(fluid_scaling)/count_calls.c $(fluid_scaling)/counts.awk $(fluid_scaling)/scene.yaml $(fluid_scaling)/section.awk
-nobase_dist_pkgdata_SCRIPTS += $(fluid_scaling)/run.sh $(fluid_scaling)/section.sh
+	%D%/README.md %D%/bead_packing/README.md %D%/bead_packing/close.yaml %D%/bead_packing/cut.awk \
+	%D%/bead_packing/flow.awk %D%/bead_packing/flow.sh %D%/bead_packing/open.awk %D%/bead_packing/open.sh \
+	%D%/bead_packing/packing.awk %D%/bead_packing/picture.awk %D%/bead_packing/picture.gp \
+	%D%/bead_packing/pour.sh %D%/bead_packing/pour.yaml %D%/bead_packing/published.txt \
+	%D%/bead_packing/scene.yaml %D%/bead_packing/section.awk %D%/bead_packing/summary.awk \
+	%D%/bed_erosion/README.md %D%/bed_erosion/bed.txt %D%/bed_erosion/discs.txt %D%/bed_erosion/fixed.txt \
+	%D%/bed_erosion/picture.gp %D%/bed_erosion/resolved.yaml %D%/bed_erosion/scene.yaml %D%/bench/ablation.tsv \
+	%D%/bench/bench.sh %D%/bench/bidisperse.yaml %D%/bench/chute.yaml %D%/bench/chute_settle.yaml \
+	%D%/bench/cohesion.yaml %D%/bench/in.bidisperse %D%/bench/in.cells %D%/bench/in.chute \
+	%D%/bench/in.continuous %D%/bench/needs.yaml %D%/bench/packing.sh %D%/bench/packing.yaml %D%/bench/pairs.py \
+	%D%/bench/performance-guards.md %D%/bench/performance-index.head.md %D%/bench/performance-journal.head.md \
+	%D%/bench/performance.head.md %D%/bench/tables.sh %D%/bidisperse/README.md \
+	%D%/bidisperse/bidisperse_R10.data.gz %D%/bidisperse/compare.awk %D%/bidisperse/energies.awk \
+	%D%/bidisperse/energies.csv %D%/bidisperse/scene.yaml %D%/bidisperse/step0.dump.gz \
+	%D%/bidisperse/step200.dump.gz %D%/blade/README.md %D%/blade/blade.txt %D%/blade/picture.gp \
+	%D%/blade/scene.yaml %D%/cavity/README.md %D%/cavity/scene.yaml %D%/column/README.md %D%/column/scene.yaml \
+	%D%/common.sh %D%/crushing/README.md %D%/crushing/crushing.gp %D%/crushing/curve.awk %D%/crushing/grains.awk \
+	%D%/crushing/picture.awk %D%/crushing/scene.yaml %D%/crushing/summary.awk %D%/drum/README.md \
+	%D%/drum/compare.awk %D%/drum/lammps-1.csv %D%/drum/lammps-2.csv %D%/drum/lammps/data.awk \
+	%D%/drum/lammps/in.drum %D%/drum/particles.txt.gz %D%/drum/scene.yaml %D%/drum/walls.txt %D%/drum/zones.gp \
+	%D%/dumbbells/README.md %D%/dumbbells/members.awk %D%/dumbbells/picture.gp %D%/dumbbells/scene.yaml \
+	%D%/electroosmosis/README.md %D%/electroosmosis/picture.gp %D%/electroosmosis/scene.yaml %D%/ergun/README.md \
+	%D%/ergun/scene.yaml %D%/ergun/section.awk %D%/fluid_scaling/README.md %D%/fluid_scaling/count_calls.c \
+	%D%/fluid_scaling/counts.awk %D%/fluid_scaling/scene.yaml %D%/fluid_scaling/section.awk \
+	%D%/fluidised_bed/README.md %D%/fluidised_bed/picture.gp %D%/fluidised_bed/scene.yaml %D%/gallery/README.md \
+	%D%/gallery/compaction.yaml %D%/gallery/drum.yaml %D%/gallery/funnel.txt %D%/gallery/gate.txt \
+	%D%/gallery/hopper.yaml %D%/gallery/pictures.txt %D%/gallery/plot.gp %D%/gallery/pouring.yaml \
+	%D%/gallery/quick.txt %D%/gallery/shear_cell.yaml %D%/gallery/sieve.yaml %D%/gallery/sieves.txt \
+	%D%/gate/README.md %D%/gate/bottom.txt %D%/gate/gate.txt %D%/gate/picture.gp %D%/gate/scene.yaml \
+	%D%/gravel/README.md %D%/gravel/scene.yaml %D%/hard/boulder.yaml %D%/hard/coincide.yaml \
+	%D%/hard/denormal.yaml %D%/hard/edge.yaml %D%/hard/faces.yaml %D%/hard/far.txt %D%/hard/far.yaml \
+	%D%/hard/fast.yaml %D%/hard/jammed.yaml %D%/hard/lattice.txt %D%/hard/limit.yaml %D%/hard/oblique.yaml \
+	%D%/hard/only_slivers.txt %D%/hard/pair.yaml %D%/hard/ratio.yaml %D%/hard/slivers.txt %D%/hard/square.txt \
+	%D%/heated_drum/README.md %D%/heated_drum/picture.gp %D%/heated_drum/scene.yaml %D%/library/README.md \
+	%D%/library/search.c %D%/library/simulation.c %D%/penetration/README.md %D%/penetration/compare.awk \
+	%D%/penetration/depth.gp %D%/penetration/lammps.csv %D%/penetration/lammps/data.awk \
+	%D%/penetration/lammps/in.penetration %D%/penetration/lammps/tsuji.awk %D%/penetration/particles.txt.gz \
+	%D%/penetration/scene.yaml %D%/penetration/walls.txt %D%/pores.head.md %D%/pupcs/README.md \
+	%D%/pupcs/dense/scene.yaml %D%/pupcs/large/scene.yaml %D%/pupcs/sizes.gp %D%/pupcs/sparse/scene.yaml \
+	%D%/repose/README.md %D%/repose/last.awk %D%/repose/picture.gp %D%/repose/scene.yaml %D%/repose/slope.awk \
+	%D%/scaling/README.md %D%/scaling/boulders.awk %D%/scaling/boulders.yaml %D%/scaling/figures.awk \
+	%D%/scaling/hybrid.gp %D%/scaling/job.slurm %D%/scaling/lines.awk %D%/scaling/model.awk %D%/scaling/model.gp \
+	%D%/scaling/ranks.gp %D%/scaling/scene.yaml %D%/scaling/speed.gp %D%/scaling/tables.awk \
+	%D%/settling/README.md %D%/settling/liquids.txt %D%/settling/picture.gp %D%/settling/scene.yaml \
+	%D%/shear_cell/README.md %D%/shear_cell/scene.yaml %D%/sphere_array/README.md %D%/sphere_array/scene.yaml \
+	%D%/taylor_green/README.md %D%/taylor_green/scene.yaml %D%/tumbling/README.md %D%/tumbling/picture.gp \
+	%D%/tumbling/scene.yaml %D%/two_sizes/README.md %D%/two_sizes/picture.gp %D%/two_sizes/scene.yaml \
+	%D%/wet_pile/README.md %D%/wet_pile/picture.gp %D%/wet_pile/scene.yaml
+nobase_dist_pkgdata_SCRIPTS = \
+	%D%/bead_packing/breakthrough.sh %D%/bead_packing/check %D%/bead_packing/picture.sh %D%/bead_packing/run.sh \
+	%D%/bead_packing/section.sh %D%/bed_erosion/check %D%/bed_erosion/run.sh %D%/bed_erosion/section.sh \
+	%D%/bench/auto.sh %D%/bench/bidisperse.sh %D%/bench/cells.sh %D%/bench/chute.sh %D%/bench/cohesion.sh \
+	%D%/bench/compare.sh %D%/bench/continuous.sh %D%/bench/fluid.sh %D%/bench/growth.sh %D%/bench/guards.sh \
+	%D%/bench/needs.sh %D%/bench/page.sh %D%/bench/penetration.sh %D%/bench/report.sh %D%/bench/roofline.sh \
+	%D%/bench/skin.sh %D%/bench/table1.sh %D%/bench/univol.sh %D%/bidisperse/check %D%/bidisperse/run.sh \
+	%D%/blade/check %D%/blade/run.sh %D%/cavity/check %D%/cavity/run.sh %D%/crushing/check %D%/crushing/run.sh \
+	%D%/drum/check %D%/drum/lammps/run.sh %D%/drum/run.sh %D%/dumbbells/check %D%/dumbbells/run.sh \
+	%D%/electroosmosis/check %D%/electroosmosis/run.sh %D%/electroosmosis/section.sh %D%/ergun/check \
+	%D%/ergun/run.sh %D%/ergun/section.sh %D%/flow.sh %D%/fluid_scaling/run.sh %D%/fluid_scaling/section.sh \
+	%D%/fluidised_bed/check %D%/fluidised_bed/run.sh %D%/fluidised_bed/section.sh %D%/gallery/check \
+	%D%/gallery/run.sh %D%/gate/check %D%/gate/run.sh %D%/hard/run.sh %D%/heated_drum/check \
+	%D%/heated_drum/run.sh %D%/penetration/check %D%/penetration/lammps/run.sh %D%/penetration/layouts \
+	%D%/penetration/run.sh %D%/pores.sh %D%/pupcs/run.sh %D%/pupcs/sizes.sh %D%/repose/check %D%/repose/run.sh \
+	%D%/scaling/ghosts.sh %D%/scaling/page.sh %D%/scaling/run.sh %D%/settling/check %D%/settling/run.sh \
+	%D%/settling/section.sh %D%/shear_cell/check %D%/shear_cell/run.sh %D%/speed-error.sh %D%/sphere_array/check \
+	%D%/sphere_array/run.sh %D%/step-fraction.sh %D%/taylor_green/check %D%/taylor_green/run.sh \
+	%D%/tumbling/check %D%/tumbling/run.sh %D%/tumbling/section.sh %D%/two_sizes/check %D%/two_sizes/run.sh \
+	%D%/wet_pile/check %D%/wet_pile/run.sh

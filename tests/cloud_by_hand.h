@@ -3,16 +3,13 @@
 #ifndef SCREE_TESTS_CLOUD_BY_HAND_H
 #define SCREE_TESTS_CLOUD_BY_HAND_H
 
+#include "tests/test.h"
+
 #include "base/memory.h"
 #include "base/random.h"
 #include "kernel/pairs/pairlist.h"
 #include "kernel/pairs/classes_choose.h"
 
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <cmocka.h>
 #include <omp.h>
 
 #define CLOUD_EDGE 8.0

@@ -1,11 +1,14 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: BSD-3-Clause
-# Runs the first steps of each scene in examples with a program built under sanitizers: examples_sanitized.sh [STEPS] [PATTERN]
+# Runs the first steps of scenes in examples with a program built under sanitizers:
+#
+#   examples_sanitized.sh [STEPS [PATTERN [EVERY]]]    STEPS: 2; of the scenes with the PATTERN all, or every EVERYth
+#
 # A scene fails if a sanitizer speaks, or if the program dies. A scene that is refused (status 2), as a few want files that a script
 # makes, or that a guard stops (3), is in order. Scenes that take longer than SECONDS_EACH (60) are cut, and named.
 set -u
 . "$(dirname "$0")/app/common.sh"
-steps=${1:-2} pattern=${2:-.}
+steps=${1:-2} pattern=${2:-.} every=${3:-1}
 seconds=${SECONDS_EACH:-60}
 cd "$out" || exit 1
 bad=0 ran=0 cut=()
@@ -26,7 +29,7 @@ while IFS= read -r scene; do
         bad=$((bad + 1))
     fi
     [ $status != 124 ] || cut+=("$name")
-done < <(find "$top_srcdir/examples" -name '*.yaml' | grep -E "$pattern" | sort)
+done < <(find "$top_srcdir/examples" -name '*.yaml' | grep -E "$pattern" | sort | awk -v every="$every" 'NR % every == 0')
 
 [ ${#cut[@]} = 0 ] || echo "cut after $seconds s: ${cut[*]}"
 echo "$ran scenes, $bad failed"

@@ -1,5 +1,7 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* Particles of a fluid in a periodic square or cube. Read fluid_cloud.h first. */
+#include "tests/test.h"
+
 #include "fluid_cloud.h"
 #include "base/memory.h"
 #include "base/random.h"
@@ -7,11 +9,8 @@
 #include "physics/fluid/lattice/body_surfaces.h"
 #include <math.h>
 #include <omp.h>
-#include <setjmp.h>
-#include <stdarg.h>
 #include <stdio.h>
 #include <string.h>
-#include <cmocka.h>
 
 static double kernel_range(const void *context, int kind_a, double a, int kind_b, double b) {
     (void)kind_a, (void)kind_b;

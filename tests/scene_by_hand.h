@@ -3,16 +3,12 @@
 #ifndef SCREE_TESTS_SCENE_BY_HAND_H
 #define SCREE_TESTS_SCENE_BY_HAND_H
 
+#include "tests/test.h"
+
 #include "base/memory.h"
 #include "data/scene/scene_particles.h"
 #include "data/scene/scene_read.h"
 #include "tests/fields_by_hand.h"
-
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <setjmp.h>
-#include <cmocka.h>
 
 #include <stdlib.h>
 #include <string.h>

@@ -1,14 +1,12 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* The board of a live view: frames go out once, and steps are counted down. */
+#include "tests/test.h"
+
 #include "front/view/board.h"
 #include "base/memory.h"
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <cmocka.h>
 
 static char *text_of(const char *text) {
     return strcpy(memory_allocate(strlen(text) + 1, 1, "test"), text);
@@ -70,10 +68,4 @@ static void steps_are_counted_down(void **state) {
     board_destroy(&board);
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(frames_go_out_once),
-        cmocka_unit_test(steps_are_counted_down),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+TEST_MAIN(board, cmocka_unit_test(frames_go_out_once), cmocka_unit_test(steps_are_counted_down))

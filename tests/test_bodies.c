@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* Rigid bodies: free rotation against a fine integration of Euler's equations, conservation, moments of inertia against closed
  * forms, sums that no order changes. */
+#include "tests/test.h"
+
 #include "physics/bodies/moments.h"
 #include "physics/bodies/rotor.h"
 #include "physics/bodies/sums.h"
@@ -8,12 +10,7 @@
 #include "base/random.h"
 
 #include <math.h>
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
 #include <string.h>
-
-#include <cmocka.h>
 
 static const double inertia[3] = {1.0, 1.7, 2.2};
 
@@ -250,15 +247,7 @@ static void small_forces_count(void **state) {
     assert_true(torque[0] == 0 && torque[1] == 0 && torque[2] == 0);
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(second_order),
-                                       cmocka_unit_test(symmetric_tops_exact),
-                                       cmocka_unit_test(tumbling),
-                                       cmocka_unit_test(two_spheres),
-                                       cmocka_unit_test(formula),
-                                       cmocka_unit_test(solid),
-                                       cmocka_unit_test(axes),
-                                       cmocka_unit_test(any_order),
-                                       cmocka_unit_test(small_forces_count)};
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+TEST_MAIN(bodies, cmocka_unit_test(second_order), cmocka_unit_test(symmetric_tops_exact),
+          cmocka_unit_test(tumbling), cmocka_unit_test(two_spheres), cmocka_unit_test(formula),
+          cmocka_unit_test(solid), cmocka_unit_test(axes), cmocka_unit_test(any_order),
+          cmocka_unit_test(small_forces_count))

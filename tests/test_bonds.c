@@ -1,14 +1,12 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* One bond against closed forms: pull, shear, bend, twist, strengths to the last bit, turning as a whole, energy and
  * angular momentum. */
+#include "tests/test.h"
+
 #include "physics/bonds/bond.h"
 #include <float.h>
 #include <math.h>
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
 #include <string.h>
-#include <cmocka.h>
 #include "near.h"
 
 /* Two spheres of radii 1 and 2 along x, 3.5 apart, with a bond of radius 0.8. */
@@ -172,13 +170,7 @@ static void dampers_oppose(void **state) {
                 1e-14); /* the surface of the turning end slips */
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(dampers_oppose),
-                                       cmocka_unit_test(pull_is_linear),
-                                       cmocka_unit_test(spins_shear),
-                                       cmocka_unit_test(spins_bend_and_twist),
-                                       cmocka_unit_test(breaks_at_the_strength),
-                                       cmocka_unit_test(turns_with_the_pair),
-                                       cmocka_unit_test(dampers_take)};
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+TEST_MAIN(bonds, cmocka_unit_test(dampers_oppose), cmocka_unit_test(pull_is_linear),
+          cmocka_unit_test(spins_shear), cmocka_unit_test(spins_bend_and_twist),
+          cmocka_unit_test(breaks_at_the_strength), cmocka_unit_test(turns_with_the_pair),
+          cmocka_unit_test(dampers_take))

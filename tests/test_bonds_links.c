@@ -1,13 +1,11 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* What a bond takes from its two particles: entry, stiffness, radius, masses; one that has lost its partner. */
+#include "tests/test.h"
+
 #include "physics/bonds/bonds_state.h"
 #include "base/memory.h"
 #include "particles_by_hand.h"
 #include <math.h>
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <cmocka.h>
 #include "near.h"
 
 /* A sphere of radius 1 and mass 2, one of radius 3 and mass 5. */
@@ -103,11 +101,5 @@ static void lost_in_the_middle(void **state) {
     particles_destroy(&p);
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(section_of_unlike_spheres),
-        cmocka_unit_test(first_entry_that_fits),
-        cmocka_unit_test(lost_in_the_middle),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+TEST_MAIN(bonds_links, cmocka_unit_test(section_of_unlike_spheres), cmocka_unit_test(first_entry_that_fits),
+          cmocka_unit_test(lost_in_the_middle))

@@ -1,10 +1,6 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* Checksums of tables: published values, and what changes them. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <cmocka.h>
+#include "tests/test.h"
 
 #include <string.h>
 
@@ -87,13 +83,6 @@ static void swapped_rows_are_noticed(void **state) {
     assert_true(before != checksum_rows(1, table, 3, sizeof table[0]));
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(mix_is_the_published_one),
-        cmocka_unit_test(every_bit_of_row_and_key_counts),
-        cmocka_unit_test(length_counts),
-        cmocka_unit_test(parts_add_up_in_any_order),
-        cmocka_unit_test(swapped_rows_are_noticed),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+TEST_MAIN(checksum, cmocka_unit_test(mix_is_the_published_one),
+          cmocka_unit_test(every_bit_of_row_and_key_counts), cmocka_unit_test(length_counts),
+          cmocka_unit_test(parts_add_up_in_any_order), cmocka_unit_test(swapped_rows_are_noticed))

@@ -1,15 +1,14 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* Size classes, and kinds of particles. */
+#include "tests/test.h"
+
 #include "index/choose/auto_choose.h"
 #include "kernel/particles/kinds.h"
 #include "tests/particles_by_hand.h"
 #include "kernel/pairs/classes_choose.h"
 #include <math.h>
-#include <setjmp.h>
-#include <stdarg.h>
 #include <stdlib.h>
 #include <string.h>
-#include <cmocka.h>
 
 /* A range that is the same for all. */
 static double range_same(const void *context, int kind_a, double a, int kind_b, double b) {
@@ -163,11 +162,6 @@ static void test_costs_beyond_numbers(void **state) {
     assert_int_equal(plan.last[plan.levels - 1], scene.bins - 1);
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_costs_beyond_numbers),   cmocka_unit_test(test_classes_by_ratio_and_by_cuts),
-        cmocka_unit_test(test_classes_by_quantiles),   cmocka_unit_test(test_kinds_lie_together),
-        cmocka_unit_test(test_one_kind_costs_nothing),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+TEST_MAIN(classes, cmocka_unit_test(test_costs_beyond_numbers),
+          cmocka_unit_test(test_classes_by_ratio_and_by_cuts), cmocka_unit_test(test_classes_by_quantiles),
+          cmocka_unit_test(test_kinds_lie_together), cmocka_unit_test(test_one_kind_costs_nothing))

@@ -1,13 +1,11 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* Shapes of bodies against closed forms: masses of members, principal axes, the inertia that members lack. */
+#include "tests/test.h"
+
 #include "physics/bodies/clump.h"
 #include "physics/bodies/rotor.h"
 #include <math.h>
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
 #include <string.h>
-#include <cmocka.h>
 #include "near.h"
 #include "scene_by_hand.h"
 
@@ -107,11 +105,4 @@ static void refused(void **state) {
     scene_free(&scene);
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(dumbbell),
-        cmocka_unit_test(given_centre),
-        cmocka_unit_test(refused),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+TEST_MAIN(clump, cmocka_unit_test(dumbbell), cmocka_unit_test(given_centre), cmocka_unit_test(refused))

@@ -1,10 +1,6 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* docs/output.md against the program: its tables. tests/app/entries.sh compares them with reports of runs. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <cmocka.h>
+#include "tests/test.h"
 
 #include "engine/run_report.h"
 #include "engine/stages.h"
@@ -83,8 +79,4 @@ static void damaged_pages_are_refused(void **state) {
     }
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(page_is_current),
-                                       cmocka_unit_test(damaged_pages_are_refused)};
-    return cmocka_run_group_tests_name("describe", tests, NULL, NULL);
-}
+TEST_MAIN(describe, cmocka_unit_test(page_is_current), cmocka_unit_test(damaged_pages_are_refused))

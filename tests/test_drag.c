@@ -1,13 +1,11 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* Laws of drag against their formulas at known points, and the part of the kernel before a wall against a quadrature. */
+#include "tests/test.h"
+
 #include "physics/drag/drag.h"
 #include "physics/drag/drag_law.h"
 #include "physics/drag/porosity.h"
 #include <math.h>
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <cmocka.h>
 #include "near.h"
 
 static double factor(int law, double speed, double porosity) {
@@ -73,11 +71,4 @@ static void before_a_wall(void **state) {
     assert_near(porosity_front(0.5), front_by_planes(0.5), 2e-5);
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(alone),
-        cmocka_unit_test(in_a_bed),
-        cmocka_unit_test(before_a_wall),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+TEST_MAIN(drag, cmocka_unit_test(alone), cmocka_unit_test(in_a_bed), cmocka_unit_test(before_a_wall))

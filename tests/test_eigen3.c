@@ -1,15 +1,11 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* Eigenvalues and axes of matrices that are made from known ones. */
+#include "tests/test.h"
+
 #include "base/eigen3.h"
 #include "base/random.h"
 
 #include <math.h>
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-
-#include <cmocka.h>
 
 /* The rotation of a random unit quaternion. */
 static void turn_draw(struct random_sequence *draws, double turn[9]) {
@@ -79,8 +75,5 @@ static void the_largest_value_alone_agrees(void **state) {
     print_message("largest error %.2g\n", worst);
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(values_and_axes_are_found),
-                                       cmocka_unit_test(the_largest_value_alone_agrees)};
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+TEST_MAIN(eigen3, cmocka_unit_test(values_and_axes_are_found),
+          cmocka_unit_test(the_largest_value_alone_agrees))

@@ -1,10 +1,6 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* Errors: the first one wins, fatal ones end the program. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <cmocka.h>
+#include "tests/test.h"
 
 #include <errno.h>
 #include <signal.h>
@@ -102,11 +98,6 @@ static void fatal_aborts_without_hook(void **state) {
     assert_non_null(strstr(text, "scree: rank 0: disk full\n"));
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(first_error_wins),          cmocka_unit_test(errno_is_named_and_kept),
-        cmocka_unit_test(long_texts_are_cut),        cmocka_unit_test(fatal_goes_through_the_hook),
-        cmocka_unit_test(fatal_aborts_without_hook),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+TEST_MAIN(error, cmocka_unit_test(first_error_wins), cmocka_unit_test(errno_is_named_and_kept),
+          cmocka_unit_test(long_texts_are_cut), cmocka_unit_test(fatal_goes_through_the_hook),
+          cmocka_unit_test(fatal_aborts_without_hook))

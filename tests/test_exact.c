@@ -1,16 +1,13 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* Exact sums: closed forms, cancellation that rounding would hide, and no dependence on order or division. */
+#include "tests/test.h"
+
 #include "base/exact.h"
 #include "base/random.h"
 
 #include <float.h>
 #include <math.h>
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
 #include <string.h>
-
-#include <cmocka.h>
 
 static double sum_of(const double *term, size_t n) {
     struct exact sum = {0};
@@ -76,8 +73,5 @@ static void any_order(void **state) {
     assert_true(fabsl(near - forwards) <= TERMS * LDBL_EPSILON * sizes);
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(single_terms), cmocka_unit_test(cancellation),
-                                       cmocka_unit_test(not_finite), cmocka_unit_test(any_order)};
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+TEST_MAIN(exact, cmocka_unit_test(single_terms), cmocka_unit_test(cancellation), cmocka_unit_test(not_finite),
+          cmocka_unit_test(any_order))

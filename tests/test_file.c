@@ -1,17 +1,15 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* Files that get their name when they are whole: what is written, and that it is on the disk before it bears
  * the name. */
+#include "tests/test.h"
+
 #include "base/file.h"
 
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
 #include <stdio.h>
 #include <string.h>
 #include <sys/stat.h>
 #include <sys/syscall.h>
 #include <unistd.h>
-#include <cmocka.h>
 
 /* What the program has flushed so far. */
 enum { FLUSHES = 8 };
@@ -73,8 +71,4 @@ static void nothing_to_flush(void **state) {
     assert_int_equal(file_size("test-file-absent"), -1);
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(flushed_before_named),
-                                       cmocka_unit_test(nothing_to_flush)};
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+TEST_MAIN(file, cmocka_unit_test(flushed_before_named), cmocka_unit_test(nothing_to_flush))

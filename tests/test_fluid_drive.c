@@ -1,11 +1,9 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* The factor of a drive over time. */
+#include "tests/test.h"
+
 #include "physics/fluid/schemes/flow_drive.h"
 #include <math.h>
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <cmocka.h>
 #include "near.h"
 
 static void test_factor(void **state) {
@@ -45,7 +43,4 @@ static void test_drop(void **state) {
     assert_int_equal(error.kind, ERROR_NONE);
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(test_factor), cmocka_unit_test(test_drop)};
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+TEST_MAIN(fluid_drive, cmocka_unit_test(test_factor), cmocka_unit_test(test_drop))

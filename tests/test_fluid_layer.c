@@ -1,11 +1,9 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* The weights of particles beside walls: their sum over the planes of a lattice is the room, wherever the walls lie. */
+#include "tests/test.h"
+
 #include "physics/fluid/carried/layer.h"
 #include <math.h>
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <cmocka.h>
 #include "near.h"
 
 /* The sum over planes one apart, from the first one at a distance `from` to the other wall. */
@@ -52,8 +50,4 @@ static void test_gap(void **state) {
     assert_float_equal(layer_part(0.3, 0.9), 1, 1e-12);
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(test_wall), cmocka_unit_test(test_angle),
-                                       cmocka_unit_test(test_gap)};
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+TEST_MAIN(fluid_layer, cmocka_unit_test(test_wall), cmocka_unit_test(test_angle), cmocka_unit_test(test_gap))

@@ -1,13 +1,12 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* Moving least squares: exact for polynomials of their order, errors and orders on displaced particles, and what takes their
  * place where a particle has too few neighbours. */
+#include "tests/test.h"
+
 #include "fluid_cloud.h"
 #include <math.h>
-#include <setjmp.h>
-#include <stdarg.h>
 #include <stdio.h>
 #include <string.h>
-#include <cmocka.h>
 
 /* The gradient of a square by moving least squares of second order: sum b (x_j - x_i)^p (x_j - x_i)^q, in spacings. */
 static double squares(const struct fluid_cloud *c, const struct weights *w) {
@@ -82,8 +81,5 @@ static void test_mls_convergence(void **state) {
     assert_true(log2(coarse.laplacian / fine.laplacian) / 2 >= 1.3);
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(test_mls), cmocka_unit_test(test_poor),
-                                       cmocka_unit_test(test_mls_convergence)};
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+TEST_MAIN(fluid_mls, cmocka_unit_test(test_mls), cmocka_unit_test(test_poor),
+          cmocka_unit_test(test_mls_convergence))

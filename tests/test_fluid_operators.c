@@ -1,15 +1,14 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* Kernels, weights and corrected operators of the fluid: normalisation, the identities of the weights on random arrangements,
  * mirrors, and errors and orders on lattices and displaced ones against measured figures of a prototype. */
+#include "tests/test.h"
+
 #include "base/memory.h"
 #include "physics/fluid/lattice/mirror.h"
 #include "fluid_cloud.h"
 #include <math.h>
-#include <setjmp.h>
-#include <stdarg.h>
 #include <stdio.h>
 #include <string.h>
-#include <cmocka.h>
 
 static void test_kernels(void **state) {
     (void)state;
@@ -306,10 +305,7 @@ static void test_inertia(void **state) {
     assert_true(displaced < 2 * fine);
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_kernels), cmocka_unit_test(test_identities),  cmocka_unit_test(test_rows),
-        cmocka_unit_test(test_eight),   cmocka_unit_test(test_convergence), cmocka_unit_test(test_lattices),
-        cmocka_unit_test(test_mirror),  cmocka_unit_test(test_energy),      cmocka_unit_test(test_inertia)};
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+TEST_MAIN(fluid_operators, cmocka_unit_test(test_kernels), cmocka_unit_test(test_identities),
+          cmocka_unit_test(test_rows), cmocka_unit_test(test_eight), cmocka_unit_test(test_convergence),
+          cmocka_unit_test(test_lattices), cmocka_unit_test(test_mirror), cmocka_unit_test(test_energy),
+          cmocka_unit_test(test_inertia))

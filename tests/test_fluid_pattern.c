@@ -1,14 +1,13 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* One table of weights for all rows of a lattice, against weights of each row; and Stokes' operator against its parts. */
+#include "tests/test.h"
+
 #include "base/memory.h"
 #include "base/random.h"
 #include "physics/fluid/operators/operators.h"
 #include "kernel/particles/kinds.h"
 #include <math.h>
-#include <setjmp.h>
-#include <stdarg.h>
 #include <string.h>
-#include <cmocka.h>
 
 /* A block of SIDE^3 nodes of a lattice, the INNER^3 in its middle first: these have rows. */
 enum { SIDE = 9, INNER = 3, NODES = SIDE * SIDE * SIDE, ROWS = INNER * INNER * INNER, DOUBLES = 4 };
@@ -169,7 +168,4 @@ static void test_stokes(void **state) {
     memory_free(b);
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(test_table), cmocka_unit_test(test_stokes)};
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+TEST_MAIN(fluid_pattern, cmocka_unit_test(test_table), cmocka_unit_test(test_stokes))

@@ -1,5 +1,7 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* What walls and open sides do to the operators of a fluid, against closed forms. Read physics/fluid/operators/weights.h first. */
+#include "tests/test.h"
+
 #include "base/memory.h"
 #include "physics/fluid/lattice/body_surfaces.h"
 #include "physics/fluid/operators/surface_forces.h"
@@ -7,11 +9,7 @@
 #include "physics/fluid/schemes/open_sides.h"
 #include "fluid_cloud.h"
 #include <math.h>
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
 #include <string.h>
-#include <cmocka.h>
 #include "near.h"
 
 static const double spin[3] = {0.7, -0.4, 1.3}, slide[3] = {0.2, 0.5, 0};
@@ -213,8 +211,5 @@ static void test_parabola(void **state) {
     }
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(test_turn), cmocka_unit_test(test_couple),
-                                       cmocka_unit_test(test_open), cmocka_unit_test(test_parabola)};
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+TEST_MAIN(fluid_walls, cmocka_unit_test(test_turn), cmocka_unit_test(test_couple),
+          cmocka_unit_test(test_open), cmocka_unit_test(test_parabola))

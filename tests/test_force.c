@@ -1,9 +1,7 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* The force loop against a scalar loop over all pairs, for every law, kernel and layout over threads. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <cmocka.h>
+#include "tests/test.h"
+
 #include "forces_by_hand.h"
 
 /* Springs of all ordered pairs of particles and images, by brute force. */
@@ -144,7 +142,4 @@ static void test_against_plain(void **state) {
     memory_free(springs.value);
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(test_against_plain)};
-    return cmocka_run_group_tests(tests, make_lists, free_lists);
-}
+TEST_MAIN_GROUP(force, make_lists, free_lists, cmocka_unit_test(test_against_plain))

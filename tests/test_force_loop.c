@@ -1,10 +1,8 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* What holds of the force loop by itself: kernels agree, momentum is conserved, springs mirror each other,
  * contacts are listed, special cases do no harm. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <cmocka.h>
+#include "tests/test.h"
+
 #include "physics/grains/batch/force_kernel.h"
 #include "forces_by_hand.h"
 
@@ -300,12 +298,8 @@ static void test_history_padding(void **state) {
     rig_free(&rig);
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_kernel_names),   cmocka_unit_test(test_kernels_agree),
-        cmocka_unit_test(test_conservation),   cmocka_unit_test(test_mirrored_springs),
-        cmocka_unit_test(test_contacts),       cmocka_unit_test(test_degenerate),
-        cmocka_unit_test(test_fixed),          cmocka_unit_test(test_history_padding),
-        cmocka_unit_test(test_order_of_images)};
-    return cmocka_run_group_tests(tests, make_lists, free_lists);
-}
+TEST_MAIN_GROUP(force_loop, make_lists, free_lists, cmocka_unit_test(test_kernel_names),
+                cmocka_unit_test(test_kernels_agree), cmocka_unit_test(test_conservation),
+                cmocka_unit_test(test_mirrored_springs), cmocka_unit_test(test_contacts),
+                cmocka_unit_test(test_degenerate), cmocka_unit_test(test_fixed),
+                cmocka_unit_test(test_history_padding), cmocka_unit_test(test_order_of_images))

@@ -329,18 +329,9 @@ static void groups_select(void **state) {
     scene_free(&scene);
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(lattices),
-                                       cmocka_unit_test(lattice_fills_an_open_box),
-                                       cmocka_unit_test(neighbours_of_lattices),
-                                       cmocka_unit_test(jitter_keeps_apart),
-                                       cmocka_unit_test(lattice_in_region),
-                                       cmocka_unit_test(velocities),
-                                       cmocka_unit_test(random_packing),
-                                       cmocka_unit_test(largest_of_all_sources_first),
-                                       cmocka_unit_test(random_discs),
-                                       cmocka_unit_test(says_what_it_reached),
-                                       cmocka_unit_test(ranks_agree),
-                                       cmocka_unit_test(groups_select)};
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+TEST_MAIN(generate, cmocka_unit_test(lattices), cmocka_unit_test(lattice_fills_an_open_box),
+          cmocka_unit_test(neighbours_of_lattices), cmocka_unit_test(jitter_keeps_apart),
+          cmocka_unit_test(lattice_in_region), cmocka_unit_test(velocities), cmocka_unit_test(random_packing),
+          cmocka_unit_test(largest_of_all_sources_first), cmocka_unit_test(random_discs),
+          cmocka_unit_test(says_what_it_reached), cmocka_unit_test(ranks_agree),
+          cmocka_unit_test(groups_select))

@@ -1,15 +1,14 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* Rows, sweeps and colours of hard contacts against closed forms (src/physics/hard/row.h, problem.h, colour.h). */
+#include "tests/test.h"
+
 #include "base/random.h"
 #include "physics/hard/colour.h"
 #include "physics/hard/hard.h"
 #include "physics/hard/problem.h"
-#include <setjmp.h>
-#include <stdarg.h>
 #include <stdlib.h>
 #include <string.h>
 /* after setjmp.h and stdarg.h */
-#include <cmocka.h>
 
 enum { CHAIN_MOST = 60 };
 static const double gravity = 10.0, step = 1e-3;
@@ -314,11 +313,7 @@ static void test_colours(void **state) {
         assert_int_equal(colour_of[0][k], colour_of[1][k * 7 % PAIRS]);
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(test_chain_rigid), cmocka_unit_test(test_chain_soft),
-                                       cmocka_unit_test(test_chain_warm),  cmocka_unit_test(test_heavy),
-                                       cmocka_unit_test(test_single),      cmocka_unit_test(test_gap),
-                                       cmocka_unit_test(test_hertz),       cmocka_unit_test(test_damper),
-                                       cmocka_unit_test(test_impacts),     cmocka_unit_test(test_colours)};
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+TEST_MAIN(hard, cmocka_unit_test(test_chain_rigid), cmocka_unit_test(test_chain_soft),
+          cmocka_unit_test(test_chain_warm), cmocka_unit_test(test_heavy), cmocka_unit_test(test_single),
+          cmocka_unit_test(test_gap), cmocka_unit_test(test_hertz), cmocka_unit_test(test_damper),
+          cmocka_unit_test(test_impacts), cmocka_unit_test(test_colours))

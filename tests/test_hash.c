@@ -1,12 +1,8 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* The hash table beside a plain search, filled by one thread and by several. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <stdbool.h>
+#include "tests/test.h"
 
-#include <cmocka.h>
+#include <stdbool.h>
 
 #include "base/hash.h"
 
@@ -98,9 +94,5 @@ static void chains_are_short(void **state) {
     }
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(all_numbers_of_a_key_are_found),
-                                       cmocka_unit_test(threads_fill_a_table_together),
-                                       cmocka_unit_test(chains_are_short)};
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+TEST_MAIN(hash, cmocka_unit_test(all_numbers_of_a_key_are_found),
+          cmocka_unit_test(threads_fill_a_table_together), cmocka_unit_test(chains_are_short))

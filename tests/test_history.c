@@ -297,13 +297,8 @@ static void test_rows_follow_removed_particles(void **state) {
     history_rows_free(&rows);
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_history_survives_reorder_and_another_thread_count),
-        cmocka_unit_test(test_kept_history_equals_detached),
-        cmocka_unit_test(test_history_of_still_particles_stays_in_place),
-        cmocka_unit_test(test_history_where_slots_end),
-        cmocka_unit_test(test_rows_follow_removed_particles),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+TEST_MAIN(history, cmocka_unit_test(test_history_survives_reorder_and_another_thread_count),
+          cmocka_unit_test(test_kept_history_equals_detached),
+          cmocka_unit_test(test_history_of_still_particles_stays_in_place),
+          cmocka_unit_test(test_history_where_slots_end),
+          cmocka_unit_test(test_rows_follow_removed_particles))

@@ -1,13 +1,10 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* Insertion: what is due, where, and what finds no room; deletion. */
+#include "tests/test.h"
+
 #include "data/scene/insertion.h"
 
 #include <math.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <setjmp.h>
-#include <cmocka.h>
 #include <string.h>
 
 enum { BATCH = 14 };
@@ -212,10 +209,6 @@ static void deletions(void **state) {
     assert_false(deletion_due(&options, 2, 20));
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(due),           cmocka_unit_test(places_apart),
-                                       cmocka_unit_test(batches_agree), cmocka_unit_test(queue_keeps_order),
-                                       cmocka_unit_test(no_room),       cmocka_unit_test(seeds_differ),
-                                       cmocka_unit_test(reaches),       cmocka_unit_test(deletions)};
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+TEST_MAIN(insertion, cmocka_unit_test(due), cmocka_unit_test(places_apart), cmocka_unit_test(batches_agree),
+          cmocka_unit_test(queue_keeps_order), cmocka_unit_test(no_room), cmocka_unit_test(seeds_differ),
+          cmocka_unit_test(reaches), cmocka_unit_test(deletions))

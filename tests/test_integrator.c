@@ -1,14 +1,12 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* Integrators: closed forms of single particles, and a contact through the force loop. */
+#include "tests/test.h"
+
 #include "physics/grains/batch/force.h"
 #include "physics/grains/motion/integrator.h"
 #include "pairs_by_hand.h"
 #include "tests/fields_by_hand.h"
 #include "tests/own_law.h"
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <cmocka.h>
 #include "near.h"
 
 static const double tau = 0.3; /* length of the runs, time */
@@ -237,10 +235,6 @@ static void test_order(void **state) {
     assert_true(ratio[1] < 3.0);
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(test_names),    cmocka_unit_test(test_constant_force),
-                                       cmocka_unit_test(test_ranges),   cmocka_unit_test(test_prescribed),
-                                       cmocka_unit_test(test_energies), cmocka_unit_test(test_two_dimensions),
-                                       cmocka_unit_test(test_order)};
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+TEST_MAIN(integrator, cmocka_unit_test(test_names), cmocka_unit_test(test_constant_force),
+          cmocka_unit_test(test_ranges), cmocka_unit_test(test_prescribed), cmocka_unit_test(test_energies),
+          cmocka_unit_test(test_two_dimensions), cmocka_unit_test(test_order))

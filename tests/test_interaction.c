@@ -1,16 +1,15 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* Several interactions over one search: lists of their own, rows of both particles, and sums over them by the walk. */
+#include "tests/test.h"
+
 #include "base/memory.h"
 #include "base/random.h"
 #include "kernel/pairs/interaction.h"
 #include "kernel/pairs/walk.h"
 #include <math.h>
-#include <setjmp.h>
-#include <stdarg.h>
 #include <stdlib.h>
 #include <omp.h>
 #include <string.h>
-#include <cmocka.h>
 #include "near.h"
 #include "kernel/pairs/classes_choose.h"
 
@@ -245,8 +244,4 @@ static void test_walk(void **state) {
     }
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(test_lists), cmocka_unit_test(test_rows),
-                                       cmocka_unit_test(test_walk)};
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+TEST_MAIN(interaction, cmocka_unit_test(test_lists), cmocka_unit_test(test_rows), cmocka_unit_test(test_walk))

@@ -1,15 +1,12 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* LAMMPS's text files at the edge of what they may hold: comments, numbers out of range, many columns. */
+#include "tests/test.h"
+
 #include "base/memory.h"
 #include "data/formats/dump.h"
 #include "data/formats/lammps_data.h"
 #include "base/lines.h"
 
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <setjmp.h>
-#include <cmocka.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -185,9 +182,5 @@ static void dump_scaled(void **state) {
     rows_free(&rows);
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(dump_scaled), cmocka_unit_test(data_comments),
-                                       cmocka_unit_test(data_numbers), cmocka_unit_test(dump_numbers),
-                                       cmocka_unit_test(dump_columns)};
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+TEST_MAIN(lammps, cmocka_unit_test(dump_scaled), cmocka_unit_test(data_comments),
+          cmocka_unit_test(data_numbers), cmocka_unit_test(dump_numbers), cmocka_unit_test(dump_columns))

@@ -1,9 +1,7 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* Contact laws: symmetry, limits, energy, what is refused and what a law needs. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <cmocka.h>
+#include "tests/test.h"
+
 #include "laws_by_hand.h"
 
 /* A vector with components in [-1, 1). */
@@ -391,12 +389,7 @@ static void test_needs(void **state) {
     assert_true(!law.spin && law.history_components == 0);
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_mirror),         cmocka_unit_test(test_limits),
-        cmocka_unit_test(test_empty_spring),   cmocka_unit_test(test_rigid_rotation),
-        cmocka_unit_test(test_energy_balance), cmocka_unit_test(test_refused),
-        cmocka_unit_test(test_rows),           cmocka_unit_test(test_lammps),
-        cmocka_unit_test(test_needs)};
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+TEST_MAIN(law, cmocka_unit_test(test_mirror), cmocka_unit_test(test_limits),
+          cmocka_unit_test(test_empty_spring), cmocka_unit_test(test_rigid_rotation),
+          cmocka_unit_test(test_energy_balance), cmocka_unit_test(test_refused), cmocka_unit_test(test_rows),
+          cmocka_unit_test(test_lammps), cmocka_unit_test(test_needs))

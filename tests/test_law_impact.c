@@ -1,10 +1,8 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* Contact laws against closed forms: two-body impacts, sliding and rolling, integrated with the scheme of the
  * program and a fine step. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <cmocka.h>
+#include "tests/test.h"
+
 #include "laws_by_hand.h"
 #include "physics/grains/laws/law_restitution.h"
 
@@ -243,11 +241,7 @@ static void test_rolling_resistance(void **state) {
     assert_near(b.vx, 0.0, 1e-3);
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_restitution),       cmocka_unit_test(test_restitution_ends),
-        cmocka_unit_test(test_chung_ooi),         cmocka_unit_test(test_gross_sliding),
-        cmocka_unit_test(test_end_and_friction),  cmocka_unit_test(test_sliding_to_rolling),
-        cmocka_unit_test(test_rolling_resistance)};
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+TEST_MAIN(law_impact, cmocka_unit_test(test_restitution), cmocka_unit_test(test_restitution_ends),
+          cmocka_unit_test(test_chung_ooi), cmocka_unit_test(test_gross_sliding),
+          cmocka_unit_test(test_end_and_friction), cmocka_unit_test(test_sliding_to_rolling),
+          cmocka_unit_test(test_rolling_resistance))

@@ -1,9 +1,7 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* Laws with parts in motion: impacts, plastic laws with their memory, stable steps. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <cmocka.h>
+#include "tests/test.h"
+
 #include "law_parts_by_hand.h"
 
 /* Restitution of a head-on impact, by small steps. */
@@ -272,10 +270,6 @@ static void test_stable(void **state) {
     assert_true(tried > 30);
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_viscoelastic), cmocka_unit_test(test_luding),
-        cmocka_unit_test(test_thornton),     cmocka_unit_test(test_thornton_sticky),
-        cmocka_unit_test(test_eepa),         cmocka_unit_test(test_stable)};
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+TEST_MAIN(law_motion, cmocka_unit_test(test_viscoelastic), cmocka_unit_test(test_luding),
+          cmocka_unit_test(test_thornton), cmocka_unit_test(test_thornton_sticky),
+          cmocka_unit_test(test_eepa), cmocka_unit_test(test_stable))

@@ -1,9 +1,7 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* Parts of laws: closed forms of cohesion, forces against energies, symmetry, combinations. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <cmocka.h>
+#include "tests/test.h"
+
 #include "physics/grains/batch/force_general.h"
 #include "physics/grains/laws/law_general.h"
 #include "law_parts_by_hand.h"
@@ -430,13 +428,8 @@ static void test_absent(void **state) {
                 law_range(&law, 1.0, INFINITY) > law_range(&law, 1.0, 1.0));
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_energies),   cmocka_unit_test(test_jkr),
-        cmocka_unit_test(test_jkr_digits), cmocka_unit_test(test_pulls),
-        cmocka_unit_test(test_mirror),     cmocka_unit_test(test_static_friction),
-        cmocka_unit_test(test_refused),    cmocka_unit_test(test_epsd),
-        cmocka_unit_test(test_root),       cmocka_unit_test(test_absent),
-        cmocka_unit_test(test_rub),        cmocka_unit_test(test_columns)};
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+TEST_MAIN(law_parts, cmocka_unit_test(test_energies), cmocka_unit_test(test_jkr),
+          cmocka_unit_test(test_jkr_digits), cmocka_unit_test(test_pulls), cmocka_unit_test(test_mirror),
+          cmocka_unit_test(test_static_friction), cmocka_unit_test(test_refused), cmocka_unit_test(test_epsd),
+          cmocka_unit_test(test_root), cmocka_unit_test(test_absent), cmocka_unit_test(test_rub),
+          cmocka_unit_test(test_columns))

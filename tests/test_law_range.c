@@ -1,9 +1,7 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* The range of a pair of materials, and that of all pairs. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <cmocka.h>
+#include "tests/test.h"
+
 #include "physics/grains/laws/law.h"
 #include "base/random.h"
 #include "near.h"
@@ -88,7 +86,4 @@ static void test_pairs(void **state) {
     law_free(&law);
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(test_farthest), cmocka_unit_test(test_pairs)};
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+TEST_MAIN(law_range, cmocka_unit_test(test_farthest), cmocka_unit_test(test_pairs))

@@ -1,13 +1,12 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* The public library: pairs of a cloud against all pairs. */
+#include "tests/test.h"
+
 #include "base/random.h"
 #include "scree.h"
 #include <math.h>
-#include <setjmp.h>
-#include <stdarg.h>
 #include <stdlib.h>
 #include <string.h>
-#include <cmocka.h>
 
 enum { SPHERES = 600 };
 
@@ -162,12 +161,7 @@ static void test_lengths_beyond_numbers_are_refused(void **state) {
     assert_false(scree_pairs("hgrid", &c.spheres, 0.1, 1, NULL, &found, why, sizeof why));
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_every_index_finds_all_pairs),
-        cmocka_unit_test(test_nonsense_is_refused_with_a_reason),
-        cmocka_unit_test(test_a_simulation_refuses_what_its_header_does_not_allow),
-        cmocka_unit_test(test_lengths_beyond_numbers_are_refused),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+TEST_MAIN(library, cmocka_unit_test(test_every_index_finds_all_pairs),
+          cmocka_unit_test(test_nonsense_is_refused_with_a_reason),
+          cmocka_unit_test(test_a_simulation_refuses_what_its_header_does_not_allow),
+          cmocka_unit_test(test_lengths_beyond_numbers_are_refused))

@@ -1,10 +1,6 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* Memory: alignment, contents, counts, and sizes that cannot be. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <cmocka.h>
+#include "tests/test.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -148,12 +144,7 @@ static void impossible_sizes_end_the_program(void **state) {
     ask_too_much(SIZE_MAX - 10, 1);
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(arrays_are_aligned_and_padded),    cmocka_unit_test(zero_means_zero),
-        cmocka_unit_test(resize_keeps_the_contents),        cmocka_unit_test(bytes_are_counted),
-        cmocka_unit_test(counting_is_safe_with_threads),    cmocka_unit_test(peak_resident_follows_use),
-        cmocka_unit_test(impossible_sizes_end_the_program),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+TEST_MAIN(memory, cmocka_unit_test(arrays_are_aligned_and_padded), cmocka_unit_test(zero_means_zero),
+          cmocka_unit_test(resize_keeps_the_contents), cmocka_unit_test(bytes_are_counted),
+          cmocka_unit_test(counting_is_safe_with_threads), cmocka_unit_test(peak_resident_follows_use),
+          cmocka_unit_test(impossible_sizes_end_the_program))

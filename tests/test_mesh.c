@@ -1,16 +1,13 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* Reading of meshes: what is accepted, and what is refused with which place. */
+#include "tests/test.h"
+
 #include "physics/grains/walls/mesh.h"
 #include "physics/grains/walls/wall.h"
 #include "base/numbers.h"
 #include "base/memory.h"
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <cmocka.h>
 #include "near.h"
 #include "walls_by_hand.h"
-#include <stdint.h>
 
 static const char ascii_two[] = "solid  two words\n"
                                 " facet normal nan nan nan\n  outer loop\n   vertex 0 0 0\n   vertex 1 0 0\n"
@@ -279,13 +276,7 @@ static void test_numbers(void **state) {
     remove(path);
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_ascii),      cmocka_unit_test(test_ascii_returns),
-        cmocka_unit_test(test_binary),     cmocka_unit_test(test_table),
-        cmocka_unit_test(test_bad_tables), cmocka_unit_test(test_bad_ascii),
-        cmocka_unit_test(test_bad_binary), cmocka_unit_test(test_no_file),
-        cmocka_unit_test(test_obj),        cmocka_unit_test(test_polygons),
-        cmocka_unit_test(test_numbers)};
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+TEST_MAIN(mesh, cmocka_unit_test(test_ascii), cmocka_unit_test(test_ascii_returns),
+          cmocka_unit_test(test_binary), cmocka_unit_test(test_table), cmocka_unit_test(test_bad_tables),
+          cmocka_unit_test(test_bad_ascii), cmocka_unit_test(test_bad_binary), cmocka_unit_test(test_no_file),
+          cmocka_unit_test(test_obj), cmocka_unit_test(test_polygons), cmocka_unit_test(test_numbers))

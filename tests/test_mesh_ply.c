@@ -1,14 +1,11 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* Reading of PLY files: every form of the same square, and what is refused with which place. */
+#include "tests/test.h"
+
 #include "physics/grains/walls/mesh.h"
 #include "physics/grains/walls/wall.h"
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <cmocka.h>
 #include "near.h"
 #include "walls_by_hand.h"
-#include <stdint.h>
 
 static const char square_head[] =
     "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\n"
@@ -217,8 +214,5 @@ static void test_bad_headers(void **state) {
     refuse_head("element face 1", "element face 0", "too long");
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(test_binary), cmocka_unit_test(test_ascii),
-                                       cmocka_unit_test(test_bad_bodies), cmocka_unit_test(test_bad_headers)};
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+TEST_MAIN(mesh_ply, cmocka_unit_test(test_binary), cmocka_unit_test(test_ascii),
+          cmocka_unit_test(test_bad_bodies), cmocka_unit_test(test_bad_headers))

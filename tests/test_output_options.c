@@ -1,10 +1,6 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* When output is due. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <cmocka.h>
+#include "tests/test.h"
 
 #include "data/formats/output_options.h"
 
@@ -68,11 +64,6 @@ static void defaults(void **state) {
     assert_false(output_interval_set(&options.observables.every));
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(never_unless_asked),     cmocka_unit_test(by_steps),
-        cmocka_unit_test(by_time_at_multiples),   cmocka_unit_test(by_time_between_multiples),
-        cmocka_unit_test(by_time_below_the_step), cmocka_unit_test(defaults),
-    };
-    return cmocka_run_group_tests_name("output_options", tests, NULL, NULL);
-}
+TEST_MAIN(output_options, cmocka_unit_test(never_unless_asked), cmocka_unit_test(by_steps),
+          cmocka_unit_test(by_time_at_multiples), cmocka_unit_test(by_time_between_multiples),
+          cmocka_unit_test(by_time_below_the_step), cmocka_unit_test(defaults))

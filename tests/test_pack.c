@@ -1,13 +1,10 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* Packings: what they promise, against brute force. Everything is made in full by pack_make. */
+#include "tests/test.h"
+
 #include "front/pack/pack.h"
 
 #include <math.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <setjmp.h>
-#include <cmocka.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -331,13 +328,7 @@ static void test_bed(void **state) {
     rows_free(&rows);
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(nothing_overlaps),   cmocka_unit_test(fills_containers),
-        cmocka_unit_test(overlap_bound),      cmocka_unit_test(bidisperse),
-        cmocka_unit_test(bidisperse_removed), cmocka_unit_test(seeds_differ),
-        cmocka_unit_test(velocities),         cmocka_unit_test(same_for_any_threads),
-        cmocka_unit_test(too_dense),          cmocka_unit_test(test_bed),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+TEST_MAIN(pack, cmocka_unit_test(nothing_overlaps), cmocka_unit_test(fills_containers),
+          cmocka_unit_test(overlap_bound), cmocka_unit_test(bidisperse), cmocka_unit_test(bidisperse_removed),
+          cmocka_unit_test(seeds_differ), cmocka_unit_test(velocities),
+          cmocka_unit_test(same_for_any_threads), cmocka_unit_test(too_dense), cmocka_unit_test(test_bed))

@@ -1,17 +1,14 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* The laws of sizes of packings, by the Kolmogorov-Smirnov distance from their closed forms, and the scenes that
  * the keys make. */
+#include "tests/test.h"
+
 #include "base/memory.h"
 #include "data/scene/source_radii.h"
 #include "front/pack/recipe.h"
 #include <stdio.h>
 
 #include <math.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <setjmp.h>
-#include <cmocka.h>
 #include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
@@ -304,13 +301,6 @@ static void bad_options(void **state) {
     }
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(power_laws),    cmocka_unit_test(exponential_laws),
-        cmocka_unit_test(sand),          cmocka_unit_test(sieves),
-        cmocka_unit_test(bad_sieves),    cmocka_unit_test(published_numbers),
-        cmocka_unit_test(nearest_count), cmocka_unit_test(two_of_three),
-        cmocka_unit_test(bad_options),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+TEST_MAIN(pack_draw, cmocka_unit_test(power_laws), cmocka_unit_test(exponential_laws), cmocka_unit_test(sand),
+          cmocka_unit_test(sieves), cmocka_unit_test(bad_sieves), cmocka_unit_test(published_numbers),
+          cmocka_unit_test(nearest_count), cmocka_unit_test(two_of_three), cmocka_unit_test(bad_options))

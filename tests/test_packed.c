@@ -251,10 +251,6 @@ static void refusals(void **state) {
     }
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(fills_regions),        cmocka_unit_test(meets_others),
-        cmocka_unit_test(keeps_clear_of_walls), cmocka_unit_test(same_on_any_layout),
-        cmocka_unit_test(finds_the_box),        cmocka_unit_test(refusals)};
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+TEST_MAIN(packed, cmocka_unit_test(fills_regions), cmocka_unit_test(meets_others),
+          cmocka_unit_test(keeps_clear_of_walls), cmocka_unit_test(same_on_any_layout),
+          cmocka_unit_test(finds_the_box), cmocka_unit_test(refusals))

@@ -162,12 +162,7 @@ static void test_skin_is_due_by_class_pairs(void **state) {
     particles_destroy(&c.particles);
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_any_thread_count_gives_each_particle_the_same),
-        cmocka_unit_test(test_each_pair_is_visited_once),
-        cmocka_unit_test(test_threads_own_what_they_write),
-        cmocka_unit_test(test_skin_is_due_by_class_pairs),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+TEST_MAIN(pairlist, cmocka_unit_test(test_any_thread_count_gives_each_particle_the_same),
+          cmocka_unit_test(test_each_pair_is_visited_once),
+          cmocka_unit_test(test_threads_own_what_they_write),
+          cmocka_unit_test(test_skin_is_due_by_class_pairs))

@@ -1,16 +1,15 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* The particle set, its field table and images. */
+#include "tests/test.h"
+
 #include "base/random.h"
 #include "kernel/particles/fields.h"
 #include "kernel/particles/particles.h"
 #include "tests/particles_by_hand.h"
 #include <math.h>
 #include <omp.h>
-#include <setjmp.h>
-#include <stdarg.h>
 #include <stdlib.h>
 #include <string.h>
-#include <cmocka.h>
 
 static void test_append_and_remove_keep_order(void **state) {
     (void)state;
@@ -310,22 +309,12 @@ static void test_validity_finds_nonsense(void **state) {
     particles_destroy(&p);
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_append_and_remove_keep_order),
-        cmocka_unit_test(test_vacate_moves_the_last_alone),
-        cmocka_unit_test(test_vacate_by_all_or_none),
-        cmocka_unit_test(test_reorder_moves_every_field),
-        cmocka_unit_test(test_reorder_by_any_order),
-        cmocka_unit_test(test_reorder_of_few),
-        cmocka_unit_test(test_any_field_can_be_registered),
-        cmocka_unit_test(test_forces_stay_where_a_record_widens),
-        cmocka_unit_test(test_pack_and_unpack_are_inverse),
-        cmocka_unit_test(test_scene_without_friction_carries_nothing_of_it),
-        cmocka_unit_test(test_wrap_counts_images),
-        cmocka_unit_test(test_wrap_refuses_full_counters),
-        cmocka_unit_test(test_image_codes_and_shifts),
-        cmocka_unit_test(test_validity_finds_nonsense),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+TEST_MAIN(particles, cmocka_unit_test(test_append_and_remove_keep_order),
+          cmocka_unit_test(test_vacate_moves_the_last_alone), cmocka_unit_test(test_vacate_by_all_or_none),
+          cmocka_unit_test(test_reorder_moves_every_field), cmocka_unit_test(test_reorder_by_any_order),
+          cmocka_unit_test(test_reorder_of_few), cmocka_unit_test(test_any_field_can_be_registered),
+          cmocka_unit_test(test_forces_stay_where_a_record_widens),
+          cmocka_unit_test(test_pack_and_unpack_are_inverse),
+          cmocka_unit_test(test_scene_without_friction_carries_nothing_of_it),
+          cmocka_unit_test(test_wrap_counts_images), cmocka_unit_test(test_wrap_refuses_full_counters),
+          cmocka_unit_test(test_image_codes_and_shifts), cmocka_unit_test(test_validity_finds_nonsense))

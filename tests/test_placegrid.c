@@ -1,15 +1,12 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* The grid of placed spheres against brute force. */
+#include "tests/test.h"
+
 #include "data/scene/placegrid.h"
 
 #include "base/random.h"
 
 #include <math.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <setjmp.h>
-#include <cmocka.h>
 
 enum { SPHERES = 600, QUERIES = 2000 };
 
@@ -90,8 +87,4 @@ static void touching_is_allowed(void **state) {
     placegrid_destroy(&grid);
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(against_brute_force),
-                                       cmocka_unit_test(touching_is_allowed)};
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+TEST_MAIN(placegrid, cmocka_unit_test(against_brute_force), cmocka_unit_test(touching_is_allowed))

@@ -1,10 +1,6 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* The plan of a step: passes of physics without an interaction, and of those whose list is not that of grains. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <cmocka.h>
+#include "tests/test.h"
 
 #include "engine/plan.h"
 #include "engine/stages.h"
@@ -180,11 +176,5 @@ static void fields_decide_on_the_ring(void **state) {
     }
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(fields_decide_on_the_ring),
-        cmocka_unit_test(rows_need_no_interaction),
-        cmocka_unit_test(other_lists_run_after_the_sweep),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+TEST_MAIN(plan, cmocka_unit_test(fields_decide_on_the_ring), cmocka_unit_test(rows_need_no_interaction),
+          cmocka_unit_test(other_lists_run_after_the_sweep))

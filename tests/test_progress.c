@@ -1,12 +1,10 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* Lines of progress: when they come, and what they tell. The test moves the beginning into the past instead of waiting. */
+#include "tests/test.h"
+
 #include "base/timer.h"
 #include "data/observe/progress.h"
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
 #include <string.h>
-#include <cmocka.h>
 
 /* Lines in the file, and the last one in `last`. */
 static int lines_of(FILE *file, char *last, size_t room) {
@@ -86,12 +84,5 @@ static void durations(void **state) {
     assert_string_equal(text, "-:--");
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(lines_by_time),
-        cmocka_unit_test(lines_at_tenths),
-        cmocka_unit_test(no_end_known),
-        cmocka_unit_test(durations),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+TEST_MAIN(progress, cmocka_unit_test(lines_by_time), cmocka_unit_test(lines_at_tenths),
+          cmocka_unit_test(no_end_known), cmocka_unit_test(durations))

@@ -1,10 +1,6 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* Random numbers: published values, independence, moments. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <cmocka.h>
+#include "tests/test.h"
 
 #include <math.h>
 
@@ -98,12 +94,6 @@ static void normal_has_normal_moments(void **state) {
     assert_true(fabs(sums[3] - 3) < 5 * sqrt(96.0 / n));
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(published_answers),
-        cmocka_unit_test(values_depend_on_seed_stream_item_and_draw_alone),
-        cmocka_unit_test(uniform_fills_the_interval),
-        cmocka_unit_test(normal_has_normal_moments),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+TEST_MAIN(random, cmocka_unit_test(published_answers),
+          cmocka_unit_test(values_depend_on_seed_stream_item_and_draw_alone),
+          cmocka_unit_test(uniform_fills_the_interval), cmocka_unit_test(normal_has_normal_moments))

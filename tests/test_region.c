@@ -1,13 +1,10 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* Regions: what they contain, their volumes, points drawn from them. */
+#include "tests/test.h"
+
 #include "data/scene/region.h"
 
 #include <math.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <setjmp.h>
-#include <cmocka.h>
 
 static const struct region_space solid = {.dimension = 3};
 static const struct region regions[] = {
@@ -120,8 +117,5 @@ static void holds(void **state) {
     assert_true(isinf(region_inradius(&all, &solid)) && isinf(region_inradius(&box, &torus)));
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(holds), cmocka_unit_test(contains),
-                                       cmocka_unit_test(volumes), cmocka_unit_test(draws)};
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+TEST_MAIN(region, cmocka_unit_test(holds), cmocka_unit_test(contains), cmocka_unit_test(volumes),
+          cmocka_unit_test(draws))

@@ -1,10 +1,6 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* Sums of what precedes: against the plain loop, with threads. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <cmocka.h>
+#include "tests/test.h"
 
 #include <omp.h>
 #include <stdlib.h>
@@ -121,11 +117,5 @@ static void works_inside_a_parallel_region(void **state) {
     assert_int_equal(wrong, 0);
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(equals_the_plain_loop),
-        cmocka_unit_test(totals_pass_32_bits),
-        cmocka_unit_test(works_inside_a_parallel_region),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+TEST_MAIN(scan, cmocka_unit_test(equals_the_plain_loop), cmocka_unit_test(totals_pass_32_bits),
+          cmocka_unit_test(works_inside_a_parallel_region))

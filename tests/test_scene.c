@@ -386,18 +386,9 @@ static void reads_texts(void **state) {
     assert_int_equal(error.kind, ERROR_USER);
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(fills_options),
-                                       cmocka_unit_test(agrees_with_modules),
-                                       cmocka_unit_test(settings_override),
-                                       cmocka_unit_test(settings_take_out),
-                                       cmocka_unit_test(trajectories_read_back),
-                                       cmocka_unit_test(echo_reads_back),
-                                       cmocka_unit_test(rich_values),
-                                       cmocka_unit_test(fields_are_what_is_needed),
-                                       cmocka_unit_test(pairs_of_walls),
-                                       cmocka_unit_test(two_dimensions),
-                                       cmocka_unit_test(box_from_data_file),
-                                       cmocka_unit_test(reads_texts)};
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+TEST_MAIN(scene, cmocka_unit_test(fills_options), cmocka_unit_test(agrees_with_modules),
+          cmocka_unit_test(settings_override), cmocka_unit_test(settings_take_out),
+          cmocka_unit_test(trajectories_read_back), cmocka_unit_test(echo_reads_back),
+          cmocka_unit_test(rich_values), cmocka_unit_test(fields_are_what_is_needed),
+          cmocka_unit_test(pairs_of_walls), cmocka_unit_test(two_dimensions),
+          cmocka_unit_test(box_from_data_file), cmocka_unit_test(reads_texts))

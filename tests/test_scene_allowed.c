@@ -50,8 +50,5 @@ static void good_cylinders(void **state) {
     scene_free(&scene);
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(good_planes), cmocka_unit_test(good_regions),
-                                       cmocka_unit_test(good_cylinders)};
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+TEST_MAIN(scene_allowed, cmocka_unit_test(good_planes), cmocka_unit_test(good_regions),
+          cmocka_unit_test(good_cylinders))

@@ -468,8 +468,5 @@ static void bad_wholes(void **state) {
     check_message(&error, "case/scene.yaml:1: ", (const char *const[3]){"must be a section"}, "a list");
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(bad_lines), cmocka_unit_test(bad_settings),
-                                       cmocka_unit_test(bad_wholes)};
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+TEST_MAIN(scene_check, cmocka_unit_test(bad_lines), cmocka_unit_test(bad_settings),
+          cmocka_unit_test(bad_wholes))

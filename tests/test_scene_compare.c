@@ -1,10 +1,6 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* What differs between two effective scenes. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <cmocka.h>
+#include "tests/test.h"
 
 #include "data/scene/compare.h"
 
@@ -75,12 +71,6 @@ static void what_is_no_scene_is_refused(void **state) {
     scene_changes_free(&changes);
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(the_same_has_no_changes),
-        cmocka_unit_test(elements_are_matched_by_name),
-        cmocka_unit_test(elements_may_come_and_go),
-        cmocka_unit_test(what_is_no_scene_is_refused),
-    };
-    return cmocka_run_group_tests_name("scene_compare", tests, NULL, NULL);
-}
+TEST_MAIN(scene_compare, cmocka_unit_test(the_same_has_no_changes),
+          cmocka_unit_test(elements_are_matched_by_name), cmocka_unit_test(elements_may_come_and_go),
+          cmocka_unit_test(what_is_no_scene_is_refused))

@@ -148,10 +148,6 @@ static void tells_progress(void **state) {
     scene_free(&scene);
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(time_grows_with_entries),
-                                       cmocka_unit_test(refuses_long_texts),
-                                       cmocka_unit_test(refuses_too_much),
-                                       cmocka_unit_test(takes_few_of_many), cmocka_unit_test(tells_progress)};
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+TEST_MAIN(scene_large, cmocka_unit_test(time_grows_with_entries), cmocka_unit_test(refuses_long_texts),
+          cmocka_unit_test(refuses_too_much), cmocka_unit_test(takes_few_of_many),
+          cmocka_unit_test(tells_progress))

@@ -244,13 +244,6 @@ static void document_is_current(void **state) {
     memory_free(stored);
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(rows_are_sound),
-                                       cmocka_unit_test(keys_are_unique),
-                                       cmocka_unit_test(conditions_are_sound),
-                                       cmocka_unit_test(defaults_and_examples_read),
-                                       cmocka_unit_test(suggests),
-                                       cmocka_unit_test(helps),
-                                       cmocka_unit_test(document_is_current)};
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+TEST_MAIN(schema, cmocka_unit_test(rows_are_sound), cmocka_unit_test(keys_are_unique),
+          cmocka_unit_test(conditions_are_sound), cmocka_unit_test(defaults_and_examples_read),
+          cmocka_unit_test(suggests), cmocka_unit_test(helps), cmocka_unit_test(document_is_current))

@@ -1,13 +1,10 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* Size laws against their moments and shares in closed form. */
+#include "tests/test.h"
+
 #include "data/scene/sizes_file.h"
 
 #include <math.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <setjmp.h>
-#include <cmocka.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -225,9 +222,5 @@ static void refuses(void **state) {
     }
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(simple_laws),  cmocka_unit_test(power_laws),
-                                       cmocka_unit_test(sieve_curves), cmocka_unit_test(refuses),
-                                       cmocka_unit_test(forms_agree),  cmocka_unit_test(forms_refused)};
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+TEST_MAIN(sizes, cmocka_unit_test(simple_laws), cmocka_unit_test(power_laws), cmocka_unit_test(sieve_curves),
+          cmocka_unit_test(refuses), cmocka_unit_test(forms_agree), cmocka_unit_test(forms_refused))

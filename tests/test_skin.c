@@ -1,12 +1,8 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* When a rebuild is due. */
-#include "kernel/pairs/skin.h"
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
+#include "tests/test.h"
 
-#include <cmocka.h>
+#include "kernel/pairs/skin.h"
 
 /* One size class with skin 1 to itself and to walls; walls have no skin among themselves. */
 static struct size_classes one_class(void) {
@@ -122,14 +118,8 @@ static void test_unwanted_pairs_use_up_nothing(void **state) {
     skin_destroy(&skin);
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_two_particles_share_the_skin),
-        cmocka_unit_test(test_moving_walls_count_against_particles_alone),
-        cmocka_unit_test(test_nothing_moves),
-        cmocka_unit_test(test_the_next_step_is_foreseen),
-        cmocka_unit_test(test_a_fast_particle_needs_no_measuring),
-        cmocka_unit_test(test_unwanted_pairs_use_up_nothing),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+TEST_MAIN(skin, cmocka_unit_test(test_two_particles_share_the_skin),
+          cmocka_unit_test(test_moving_walls_count_against_particles_alone),
+          cmocka_unit_test(test_nothing_moves), cmocka_unit_test(test_the_next_step_is_foreseen),
+          cmocka_unit_test(test_a_fast_particle_needs_no_measuring),
+          cmocka_unit_test(test_unwanted_pairs_use_up_nothing))

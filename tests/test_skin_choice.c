@@ -1,14 +1,10 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* The model that chooses a skin. */
+#include "tests/test.h"
+
 #include "kernel/pairs/skin_choice.h"
 #include <math.h>
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
 #include <stdlib.h>
-
-#include <cmocka.h>
 
 enum { COUNT = 400 };
 
@@ -102,12 +98,6 @@ static void test_intervals_fade(void **state) {
     assert_true(choice.used / choice.steps < 1.0 / 30);
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_pairs_follow_the_shells),
-        cmocka_unit_test(test_the_best_is_the_minimum),
-        cmocka_unit_test(test_fast_particles_want_a_long_skin),
-        cmocka_unit_test(test_intervals_fade),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+TEST_MAIN(skin_choice, cmocka_unit_test(test_pairs_follow_the_shells),
+          cmocka_unit_test(test_the_best_is_the_minimum),
+          cmocka_unit_test(test_fast_particles_want_a_long_skin), cmocka_unit_test(test_intervals_fade))

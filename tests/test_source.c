@@ -427,14 +427,9 @@ static void lammps_data(void **state) {
     }
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(reads_headers),     cmocka_unit_test(reads_columns),
-        cmocka_unit_test(selects_and_maps),  cmocka_unit_test(tells_headers_from_rows),
-        cmocka_unit_test(wraps_and_numbers), cmocka_unit_test(selects_where_it_wraps),
-        cmocka_unit_test(keeps_what_left),   cmocka_unit_test(reads_long_lines),
-        cmocka_unit_test(keeps_ids),         cmocka_unit_test(refuses_large_ids),
-        cmocka_unit_test(refuses),           cmocka_unit_test(refuses_types),
-        cmocka_unit_test(lammps_data)};
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+TEST_MAIN(source, cmocka_unit_test(reads_headers), cmocka_unit_test(reads_columns),
+          cmocka_unit_test(selects_and_maps), cmocka_unit_test(tells_headers_from_rows),
+          cmocka_unit_test(wraps_and_numbers), cmocka_unit_test(selects_where_it_wraps),
+          cmocka_unit_test(keeps_what_left), cmocka_unit_test(reads_long_lines), cmocka_unit_test(keeps_ids),
+          cmocka_unit_test(refuses_large_ids), cmocka_unit_test(refuses), cmocka_unit_test(refuses_types),
+          cmocka_unit_test(lammps_data))

@@ -2,12 +2,10 @@
 /* The bound on the stable step against the largest frequency of an assembly, found by power iteration of its
  * dynamic matrix contact by contact: never above, and how near; for crystals, random clouds, sizes apart by
  * 50. */
+#include "tests/test.h"
+
 #include "physics/grains/motion/stability.h"
 #include "physics/grains/motion/timestep.h"
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <cmocka.h>
 #include "forces_by_hand.h"
 
 enum { ITERATIONS = 400 };
@@ -328,9 +326,6 @@ static void test_eigenvalue(void **state) {
     assert_near(stability_eigenvalue(diagonal, STABILITY_PUSH), 7.0, 1e-9);
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(test_eigenvalue), cmocka_unit_test(test_springs),
-                                       cmocka_unit_test(test_spin_of_fcc), cmocka_unit_test(test_layouts),
-                                       cmocka_unit_test(test_bound_holds)};
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+TEST_MAIN(stability, cmocka_unit_test(test_eigenvalue), cmocka_unit_test(test_springs),
+          cmocka_unit_test(test_spin_of_fcc), cmocka_unit_test(test_layouts),
+          cmocka_unit_test(test_bound_holds))

@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* The plans of the fused sweep and of the ring on any number of threads, with ghosts and busy particles: every particle
  * moves once, and before or after it is read; no two forces share a record. */
+#include "tests/test.h"
+
 #include "base/memory.h"
 #include "base/random.h"
 #include "kernel/pairs/pairlist.h"
@@ -8,10 +10,7 @@
 #include "kernel/pairs/sweep.h"
 #include "kernel/pairs/classes_choose.h"
 #include <omp.h>
-#include <setjmp.h>
-#include <stdarg.h>
 #include <stdlib.h>
-#include <cmocka.h>
 
 enum { CLOUD = 1200, LARGE = 6, ORIGINALS = 40 };
 
@@ -218,9 +217,5 @@ static void test_empty(void **state) {
     cloud_free(&c, &sweep, NULL);
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(test_plan), cmocka_unit_test(test_plan_with_ghosts),
-                                       cmocka_unit_test(test_wrong_plan), cmocka_unit_test(test_records),
-                                       cmocka_unit_test(test_empty)};
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+TEST_MAIN(sweep, cmocka_unit_test(test_plan), cmocka_unit_test(test_plan_with_ghosts),
+          cmocka_unit_test(test_wrong_plan), cmocka_unit_test(test_records), cmocka_unit_test(test_empty))

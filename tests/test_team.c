@@ -1,11 +1,7 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* How many threads work at a time, on machines made of a few formulas: cores of its own, cores that others
  * use. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <cmocka.h>
+#include "tests/test.h"
 
 #include <math.h>
 #include <omp.h>
@@ -218,18 +214,9 @@ static void test_probe(void **state) {
     team_end(&team);
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_cores_of_its_own),
-        cmocka_unit_test(test_busy_cores),
-        cmocka_unit_test(test_hopeless_trial_is_short),
-        cmocka_unit_test(test_threads_come_back),
-        cmocka_unit_test(test_all_threads_where_they_are_faster),
-        cmocka_unit_test(test_as_many_as_have_cores),
-        cmocka_unit_test(test_a_number_that_the_user_gave),
-        cmocka_unit_test(test_one_thread),
-        cmocka_unit_test(test_openmp_follows),
-        cmocka_unit_test(test_probe),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+TEST_MAIN(team, cmocka_unit_test(test_cores_of_its_own), cmocka_unit_test(test_busy_cores),
+          cmocka_unit_test(test_hopeless_trial_is_short), cmocka_unit_test(test_threads_come_back),
+          cmocka_unit_test(test_all_threads_where_they_are_faster),
+          cmocka_unit_test(test_as_many_as_have_cores), cmocka_unit_test(test_a_number_that_the_user_gave),
+          cmocka_unit_test(test_one_thread), cmocka_unit_test(test_openmp_follows),
+          cmocka_unit_test(test_probe))

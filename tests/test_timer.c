@@ -1,10 +1,6 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* Timers: nested stages, names, counts. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <cmocka.h>
+#include "tests/test.h"
 
 #include <string.h>
 
@@ -99,12 +95,5 @@ static void calls_are_counted(void **state) {
     assert_true(timers.stage[comm].seconds == 0);
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(clock_is_monotonic),
-        cmocka_unit_test(a_name_is_registered_once),
-        cmocka_unit_test(inner_time_is_not_charged_to_the_outer),
-        cmocka_unit_test(calls_are_counted),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+TEST_MAIN(timer, cmocka_unit_test(clock_is_monotonic), cmocka_unit_test(a_name_is_registered_once),
+          cmocka_unit_test(inner_time_is_not_charged_to_the_outer), cmocka_unit_test(calls_are_counted))

@@ -1,13 +1,11 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* The stable time step against plain simulation of the scheme, and for the published cases. */
+#include "tests/test.h"
+
 #include "physics/grains/motion/timestep.h"
 #include "tests/own_law.h"
 #include <math.h>
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
 #include <string.h>
-#include <cmocka.h>
 #include "near.h"
 
 static struct law_pair pair[2][2];
@@ -228,11 +226,7 @@ static void test_nothing_to_limit(void **state) {
     assert_true(isinf(limits.stable) && isinf(limits.contact_time) && limits.rayleigh == 0.0);
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_bound_is_sharp),  cmocka_unit_test(test_chain),
-        cmocka_unit_test(test_tangential_mode), cmocka_unit_test(test_bidisperse),
-        cmocka_unit_test(test_penetration),     cmocka_unit_test(test_hertz_frequency),
-        cmocka_unit_test(test_nothing_to_limit)};
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+TEST_MAIN(timestep, cmocka_unit_test(test_bound_is_sharp), cmocka_unit_test(test_chain),
+          cmocka_unit_test(test_tangential_mode), cmocka_unit_test(test_bidisperse),
+          cmocka_unit_test(test_penetration), cmocka_unit_test(test_hertz_frequency),
+          cmocka_unit_test(test_nothing_to_limit))

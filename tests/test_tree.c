@@ -1,12 +1,9 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* YAML trees: lines of nodes, changes, what is refused. */
+#include "tests/test.h"
+
 #include "data/scene/tree.h"
 
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <setjmp.h>
-#include <cmocka.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -153,14 +150,7 @@ static void empty_is_a_mapping(void **state) {
     tree_free(&root);
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(keeps_lines),
-                                       cmocka_unit_test(changes),
-                                       cmocka_unit_test(refuses),
-                                       cmocka_unit_test(refuses_depth),
-                                       cmocka_unit_test(aliases_are_copies),
-                                       cmocka_unit_test(refuses_many_copies),
-                                       cmocka_unit_test(moves_entries),
-                                       cmocka_unit_test(empty_is_a_mapping)};
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+TEST_MAIN(tree, cmocka_unit_test(keeps_lines), cmocka_unit_test(changes), cmocka_unit_test(refuses),
+          cmocka_unit_test(refuses_depth), cmocka_unit_test(aliases_are_copies),
+          cmocka_unit_test(refuses_many_copies), cmocka_unit_test(moves_entries),
+          cmocka_unit_test(empty_is_a_mapping))

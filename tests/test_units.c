@@ -1,15 +1,12 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* Units and decimal numbers. */
+#include "tests/test.h"
+
 #include "data/scene/decimal.h"
 #include "data/scene/schema_value.h"
 #include "data/scene/units.h"
 
 #include <math.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <setjmp.h>
-#include <cmocka.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -219,13 +216,6 @@ static void parses_dimensions(void **state) {
     assert_string_equal(units_name("W"), "W");
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(converts),
-                                       cmocka_unit_test(knows_every_symbol),
-                                       cmocka_unit_test(knows_every_prefix),
-                                       cmocka_unit_test(decimals_are_exact),
-                                       cmocka_unit_test(refuses),
-                                       cmocka_unit_test(whole_numbers),
-                                       cmocka_unit_test(parses_dimensions)};
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+TEST_MAIN(units, cmocka_unit_test(converts), cmocka_unit_test(knows_every_symbol),
+          cmocka_unit_test(knows_every_prefix), cmocka_unit_test(decimals_are_exact),
+          cmocka_unit_test(refuses), cmocka_unit_test(whole_numbers), cmocka_unit_test(parses_dimensions))

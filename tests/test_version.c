@@ -1,10 +1,6 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* What the binary says of itself. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <cmocka.h>
+#include "tests/test.h"
 
 #include <stdio.h>
 #include <string.h>
@@ -50,12 +46,5 @@ static void host_is_this_host(void **state) {
     assert_true(strlen(cpu) > 0);
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(version_has_three_numbers),
-        cmocka_unit_test(revision_is_a_revision),
-        cmocka_unit_test(compiler_and_flags_are_named),
-        cmocka_unit_test(host_is_this_host),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+TEST_MAIN(version, cmocka_unit_test(version_has_three_numbers), cmocka_unit_test(revision_is_a_revision),
+          cmocka_unit_test(compiler_and_flags_are_named), cmocka_unit_test(host_is_this_host))

@@ -1,11 +1,9 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* Walls in the step: closed forms, planes against meshes, edges, periodic images, what is refused. */
+#include "tests/test.h"
+
 #include "physics/grains/walls/wall.h"
 #include "physics/grains/laws/law_kernel.h"
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <cmocka.h>
 #include "near.h"
 #include "mesh_by_hand.h"
 
@@ -380,16 +378,7 @@ static void test_refused(void **state) {
     refuse(none, "wall 'mesh': scale is 0");
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(test_impact),
-                                       cmocka_unit_test(test_oblique),
-                                       cmocka_unit_test(test_plane_and_meshes),
-                                       cmocka_unit_test(test_box),
-                                       cmocka_unit_test(test_ridge),
-                                       cmocka_unit_test(test_periodic),
-                                       cmocka_unit_test(test_seam),
-                                       cmocka_unit_test(test_deep),
-                                       cmocka_unit_test(test_overlap),
-                                       cmocka_unit_test(test_refused)};
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+TEST_MAIN(wall, cmocka_unit_test(test_impact), cmocka_unit_test(test_oblique),
+          cmocka_unit_test(test_plane_and_meshes), cmocka_unit_test(test_box), cmocka_unit_test(test_ridge),
+          cmocka_unit_test(test_periodic), cmocka_unit_test(test_seam), cmocka_unit_test(test_deep),
+          cmocka_unit_test(test_overlap), cmocka_unit_test(test_refused))

@@ -1,11 +1,9 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* Springs of wall contacts round a convex edge. */
+#include "tests/test.h"
+
 #include "physics/grains/walls/wall.h"
 #include "physics/grains/laws/law_kernel.h"
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <cmocka.h>
 #include "near.h"
 #include "mesh_by_hand.h"
 
@@ -91,8 +89,5 @@ static void test_spring_turns_with_the_normal(void **state) {
     }
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(test_spring_round_an_edge),
-                                       cmocka_unit_test(test_spring_turns_with_the_normal)};
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+TEST_MAIN(wall_edge, cmocka_unit_test(test_spring_round_an_edge),
+          cmocka_unit_test(test_spring_turns_with_the_normal))

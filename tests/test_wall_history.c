@@ -1,11 +1,9 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* Histories of wall contacts: over threads, reorderings and migration, after a resume; sums and energy. */
+#include "tests/test.h"
+
 #include "physics/grains/walls/wall.h"
 #include "physics/grains/laws/law_kernel.h"
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <cmocka.h>
 #include "near.h"
 #include "mesh_by_hand.h"
 
@@ -331,10 +329,6 @@ static void test_one_of_two_ends(void **state) {
     world_close(&w);
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_sums),  cmocka_unit_test(test_threads),         cmocka_unit_test(test_reorder),
-        cmocka_unit_test(test_rows),  cmocka_unit_test(test_one_of_two_ends), cmocka_unit_test(test_energy),
-        cmocka_unit_test(test_resume)};
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+TEST_MAIN(wall_history, cmocka_unit_test(test_sums), cmocka_unit_test(test_threads),
+          cmocka_unit_test(test_reorder), cmocka_unit_test(test_rows), cmocka_unit_test(test_one_of_two_ends),
+          cmocka_unit_test(test_energy), cmocka_unit_test(test_resume))

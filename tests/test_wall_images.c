@@ -1,12 +1,10 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* Walls felt through periodic images: springs of contacts with several of them, and walls far outside of the
  * box. */
+#include "tests/test.h"
+
 #include "physics/grains/walls/wall.h"
 #include "physics/grains/laws/law_kernel.h"
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <cmocka.h>
 #include "near.h"
 #include "mesh_by_hand.h"
 
@@ -109,8 +107,5 @@ static void test_long_mesh(void **state) {
     world_close(&w);
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(test_springs_of_two_images),
-                                       cmocka_unit_test(test_far_outside), cmocka_unit_test(test_long_mesh)};
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+TEST_MAIN(wall_images, cmocka_unit_test(test_springs_of_two_images), cmocka_unit_test(test_far_outside),
+          cmocka_unit_test(test_long_mesh))

@@ -1,14 +1,12 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* Surfaces of meshes: vertices merged, patches and features found, repairs noted, triangles found by the
  * grid. */
+#include "tests/test.h"
+
 #include "physics/grains/walls/wall_grid.h"
 #include "physics/grains/walls/mesh_shape.h"
 #include "physics/grains/walls/wall_mesh.h"
 #include "physics/grains/walls/wall_touch.h"
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <cmocka.h>
 #include "near.h"
 #include "surface_by_hand.h"
 
@@ -259,14 +257,7 @@ static void test_examples(void **state) {
     }
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(test_cube),
-                                       cmocka_unit_test(test_patches),
-                                       cmocka_unit_test(test_three_at_an_edge),
-                                       cmocka_unit_test(test_repairs),
-                                       cmocka_unit_test(test_refused),
-                                       cmocka_unit_test(test_grid),
-                                       cmocka_unit_test(test_shapes),
-                                       cmocka_unit_test(test_examples)};
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+TEST_MAIN(wall_mesh, cmocka_unit_test(test_cube), cmocka_unit_test(test_patches),
+          cmocka_unit_test(test_three_at_an_edge), cmocka_unit_test(test_repairs),
+          cmocka_unit_test(test_refused), cmocka_unit_test(test_grid), cmocka_unit_test(test_shapes),
+          cmocka_unit_test(test_examples))

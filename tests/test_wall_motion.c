@@ -1,10 +1,8 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* Motions: closed forms, velocities against displacements, composition, tables, servo. */
+#include "tests/test.h"
+
 #include "physics/grains/walls/wall_motion.h"
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <cmocka.h>
 #include "near.h"
 #include "walls_by_hand.h"
 
@@ -371,19 +369,8 @@ static void test_transforms(void **state) {
     wall_mover_destroy(&m);
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(test_translate),
-                                       cmocka_unit_test(test_rotate),
-                                       cmocka_unit_test(test_velocities),
-                                       cmocka_unit_test(test_order),
-                                       cmocka_unit_test(test_oscillate),
-                                       cmocka_unit_test(test_table),
-                                       cmocka_unit_test(test_table_rows_in_a_step),
-                                       cmocka_unit_test(test_bad),
-                                       cmocka_unit_test(test_servo),
-                                       cmocka_unit_test(test_servo_impedance),
-                                       cmocka_unit_test(test_servo_turned),
-                                       cmocka_unit_test(test_flat),
-                                       cmocka_unit_test(test_transforms)};
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+TEST_MAIN(wall_motion, cmocka_unit_test(test_translate), cmocka_unit_test(test_rotate),
+          cmocka_unit_test(test_velocities), cmocka_unit_test(test_order), cmocka_unit_test(test_oscillate),
+          cmocka_unit_test(test_table), cmocka_unit_test(test_table_rows_in_a_step),
+          cmocka_unit_test(test_bad), cmocka_unit_test(test_servo), cmocka_unit_test(test_servo_impedance),
+          cmocka_unit_test(test_servo_turned), cmocka_unit_test(test_flat), cmocka_unit_test(test_transforms))

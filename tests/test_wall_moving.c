@@ -1,11 +1,9 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* Walls that move: piston, servo, drum, conveyor, bounds of displacements. */
+#include "tests/test.h"
+
 #include "physics/grains/walls/wall.h"
 #include "physics/grains/laws/law_kernel.h"
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <cmocka.h>
 #include "near.h"
 #include "mesh_by_hand.h"
 
@@ -394,17 +392,8 @@ static void test_offset(void **state) {
     }
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(test_piston),
-                                       cmocka_unit_test(test_servo),
-                                       cmocka_unit_test(test_area),
-                                       cmocka_unit_test(test_drum),
-                                       cmocka_unit_test(test_conveyor),
-                                       cmocka_unit_test(test_turns_on_the_spot),
-                                       cmocka_unit_test(test_drags_at_the_contact),
-                                       cmocka_unit_test(test_torques_balance),
-                                       cmocka_unit_test(test_displacement),
-                                       cmocka_unit_test(test_displacement_outside),
-                                       cmocka_unit_test(test_offset)};
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+TEST_MAIN(wall_moving, cmocka_unit_test(test_piston), cmocka_unit_test(test_servo),
+          cmocka_unit_test(test_area), cmocka_unit_test(test_drum), cmocka_unit_test(test_conveyor),
+          cmocka_unit_test(test_turns_on_the_spot), cmocka_unit_test(test_drags_at_the_contact),
+          cmocka_unit_test(test_torques_balance), cmocka_unit_test(test_displacement),
+          cmocka_unit_test(test_displacement_outside), cmocka_unit_test(test_offset))

@@ -1,12 +1,10 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* Where a sphere touches a mesh or a cylinder, against exact distances. */
+#include "tests/test.h"
+
 #include "physics/grains/walls/wall_grid.h"
 #include "physics/grains/walls/wall_mesh.h"
 #include "physics/grains/walls/wall_touch.h"
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <cmocka.h>
 #include "near.h"
 #include "surface_by_hand.h"
 
@@ -256,10 +254,6 @@ static void test_cylinder_images(void **state) {
     assert_int_equal(touch->feature, WALL_CYLINDER_SHELL);
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(test_nearest),        cmocka_unit_test(test_convex),
-                                       cmocka_unit_test(test_concave),        cmocka_unit_test(test_hidden),
-                                       cmocka_unit_test(test_notch),          cmocka_unit_test(test_cylinder),
-                                       cmocka_unit_test(test_cylinder_images)};
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+TEST_MAIN(wall_touch, cmocka_unit_test(test_nearest), cmocka_unit_test(test_convex),
+          cmocka_unit_test(test_concave), cmocka_unit_test(test_hidden), cmocka_unit_test(test_notch),
+          cmocka_unit_test(test_cylinder), cmocka_unit_test(test_cylinder_images))

@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: BSD-3-Clause
 # Packages: see docs/packaging/README.md
-packaging = docs/packaging/debian
-EXTRA_DIST += docs/packaging/README.md docs/packaging/spack/package.py docs/packaging/apptainer/scree.def \
-	$(packaging)/changelog $(packaging)/control $(packaging)/copyright $(packaging)/rules $(packaging)/source/format \
-	$(packaging)/libscree-dev.install $(packaging)/libscree-index0.install $(packaging)/libscree0.install \
-	$(packaging)/python3-scree.install $(packaging)/scree-examples.install $(packaging)/scree-petsc.install $(packaging)/scree.install
+EXTRA_DIST += \
+	%D%/README.md %D%/apptainer/scree.def %D%/debian/changelog %D%/debian/control %D%/debian/copyright \
+	%D%/debian/libscree-dev.install %D%/debian/libscree-index0.install %D%/debian/libscree0.install \
+	%D%/debian/python3-scree.install %D%/debian/rules %D%/debian/scree-examples.install \
+	%D%/debian/scree-petsc.install %D%/debian/scree.install %D%/debian/source/format %D%/spack/package.py
 
 # make deb: Debian packages in deb/, from the archive of `make dist`. The project has neither a mailing list for the maintainer's
 # address nor a bug at Debian that asks for the package; uPlot (src/front/page) and three.js (src/front/view) are there as their authors publish them, without their sources.

@@ -1,202 +1,56 @@
 # SPDX-License-Identifier: BSD-3-Clause
 # Verification cases: all of a folder ships.
 nobase_dist_pkgdata_DATA += \
-	examples/verify/README.md \
-	examples/verify/accuracy.head.md \
-	examples/verify/beverloo-3d/floor.txt \
-	examples/verify/beverloo-3d/scene.yaml \
-	examples/verify/beverloo/floor.txt \
-	examples/verify/beverloo/scene.yaml \
-	examples/verify/bouncing/scene.yaml \
-	examples/verify/bonded-cantilever/particles.txt \
-	examples/verify/bonded-cantilever/scene.yaml \
-	examples/verify/bowl/scene.yaml \
-	examples/verify/capillary-bridge/scene.yaml \
-	examples/verify/case.sh \
-	examples/verify/chain/particles.txt \
-	examples/verify/chain/scene.yaml \
-	examples/verify/chung-ooi-1/plot.gp \
-	examples/verify/chung-ooi-1/scene.yaml \
-	examples/verify/chung-ooi-2/plot.gp \
-	examples/verify/chung-ooi-2/scene.yaml \
-	examples/verify/chung-ooi-3/particles.txt \
-	examples/verify/chung-ooi-3/plot.gp \
-	examples/verify/chung-ooi-3/scene.yaml \
-	examples/verify/chung-ooi-4/measured.txt \
-	examples/verify/chung-ooi-4/particles.txt \
-	examples/verify/chung-ooi-4/plot.gp \
-	examples/verify/chung-ooi-4/scene.yaml \
-	examples/verify/chung-ooi-5/finite-elements.txt \
-	examples/verify/chung-ooi-5/particles.txt \
-	examples/verify/chung-ooi-5/plot.gp \
-	examples/verify/chung-ooi-5/scene.yaml \
-	examples/verify/chung-ooi-6/particles.txt \
-	examples/verify/chung-ooi-6/plot.gp \
-	examples/verify/chung-ooi-6/scene.yaml \
-	examples/verify/chung-ooi-7/particles.txt \
-	examples/verify/chung-ooi-7/plot.gp \
-	examples/verify/chung-ooi-7/scene.yaml \
-	examples/verify/chung-ooi-8/particles.txt \
-	examples/verify/chung-ooi-8/plot.gp \
-	examples/verify/chung-ooi-8/scene.yaml \
-	examples/verify/cradle/scene.yaml \
-	examples/verify/curve.gp \
-	examples/verify/dmt-pull-off/scene.yaml \
-	examples/verify/drift-hertz/plot.gp \
-	examples/verify/drift-hertz/scene.yaml \
-	examples/verify/drift-hooke/plot.gp \
-	examples/verify/drift-hooke/scene.yaml \
-	examples/verify/drum-angle/scene.yaml \
-	examples/verify/end-of-contact/force.txt \
-	examples/verify/end-of-contact/overlap.txt \
-	examples/verify/end-of-contact/scene.yaml \
-	examples/verify/fluid-annulus/scene.yaml \
-	examples/verify/fluid-cavity/scene.yaml \
-	examples/verify/fluid-couette/scene.yaml \
-	examples/verify/fluid-cylinder/scene.yaml \
-	examples/verify/fluid-diffusion/scene.yaml \
-	examples/verify/fluid-electroosmosis/porous.yaml \
-	examples/verify/fluid-electroosmosis/scene.yaml \
-	examples/verify/fluid-fluidised-bed/scene.yaml \
-	examples/verify/fluid-fluidised-bed/terminal.yaml \
-	examples/verify/fluid-operators/scene.yaml \
-	examples/verify/fluid-poiseuille/scene.yaml \
-	examples/verify/fluid-settling/scene.yaml \
-	examples/verify/fluid-settling/shear.yaml \
-	examples/verify/fluid-sphere-array/scene.yaml \
-	examples/verify/fluid-taylor-aris/scene.yaml \
-	examples/verify/fluid-taylor-green/scene.yaml \
-	examples/verify/free-fall/scene.yaml \
-	examples/verify/heat-chain/scene.yaml \
-	examples/verify/heat-rod/particles.txt \
-	examples/verify/heat-rod/scene.yaml \
-	examples/verify/haff/scene.yaml \
-	examples/verify/hard-boulder/scene.yaml \
-	examples/verify/hard-chain/scene.yaml \
-	examples/verify/hard-column/scene.yaml \
-	examples/verify/hard-haff/scene.yaml \
-	examples/verify/hard-impact/scene.yaml \
-	examples/verify/hard-rest/scene.yaml \
-	examples/verify/hard-slope/scene.yaml \
-	examples/verify/hard-sliding/scene.yaml \
-	examples/verify/hertz.awk \
-	examples/verify/impact.c \
-	examples/verify/impacts.sh \
-	examples/verify/implicit-hertz/scene.yaml \
-	examples/verify/incline/scene.yaml \
-	examples/verify/janssen/scene.yaml \
-	examples/verify/jkr-pull-off/scene.yaml \
-	examples/verify/lees-edwards-gas/elastic.yaml \
-	examples/verify/lees-edwards-gas/scene.yaml \
-	examples/verify/line.awk \
-	examples/verify/luding-unloading/impacts.yaml \
-	examples/verify/luding-unloading/scene.yaml \
-	examples/verify/many-body/scene.yaml \
-	examples/verify/maw.c \
-	examples/verify/moving-wall/scene.yaml \
-	examples/verify/order-hertz/plot.gp \
-	examples/verify/order-hertz/scene.yaml \
-	examples/verify/order-hooke/plot.gp \
-	examples/verify/order-hooke/scene.yaml \
-	examples/verify/periodic/scene.yaml \
-	examples/verify/plane-mesh/scene.yaml \
-	examples/verify/restitution-hertz/particles.txt \
-	examples/verify/restitution-hertz/plot.gp \
-	examples/verify/restitution-hertz/scene.yaml \
-	examples/verify/restitution-hooke/particles.txt \
-	examples/verify/restitution-hooke/plot.gp \
-	examples/verify/restitution-hooke/scene.yaml \
-	examples/verify/restitution-speed/particles.txt \
-	examples/verify/restitution-speed/plot.gp \
-	examples/verify/restitution-speed/scene.yaml \
-	examples/verify/rolling-decay/scene.yaml \
-	examples/verify/settling/scene.yaml \
-	examples/verify/slide-to-roll/scene.yaml \
-	examples/verify/stack/scene.yaml \
-	examples/verify/sticking-velocity/scene.yaml \
-	examples/verify/style.gp \
-	examples/verify/turning-wall/disc.txt \
-	examples/verify/turning-wall/hertz.yaml \
-	examples/verify/turning-wall/plane.yaml \
-	examples/verify/tumbling-clump/scene.yaml \
-	examples/verify/turning-wall/scene.yaml \
-	examples/verify/vyas/plot.gp \
-	examples/verify/vyas/ratio-100.txt \
-	examples/verify/vyas/scene.yaml \
-	examples/verify/wall-edge/plate.txt \
-	examples/verify/wall-edge/scene.yaml
+	%D%/README.md %D%/accuracy.head.md %D%/beverloo-3d/floor.txt %D%/beverloo-3d/scene.yaml \
+	%D%/beverloo/floor.txt %D%/beverloo/scene.yaml %D%/bonded-cantilever/particles.txt \
+	%D%/bonded-cantilever/scene.yaml %D%/bouncing/scene.yaml %D%/bowl/scene.yaml %D%/capillary-bridge/scene.yaml \
+	%D%/case.sh %D%/chain/particles.txt %D%/chain/scene.yaml %D%/chung-ooi-1/plot.gp %D%/chung-ooi-1/scene.yaml \
+	%D%/chung-ooi-2/plot.gp %D%/chung-ooi-2/scene.yaml %D%/chung-ooi-3/particles.txt %D%/chung-ooi-3/plot.gp \
+	%D%/chung-ooi-3/scene.yaml %D%/chung-ooi-4/measured.txt %D%/chung-ooi-4/particles.txt \
+	%D%/chung-ooi-4/plot.gp %D%/chung-ooi-4/scene.yaml %D%/chung-ooi-5/finite-elements.txt \
+	%D%/chung-ooi-5/particles.txt %D%/chung-ooi-5/plot.gp %D%/chung-ooi-5/scene.yaml \
+	%D%/chung-ooi-6/particles.txt %D%/chung-ooi-6/plot.gp %D%/chung-ooi-6/scene.yaml \
+	%D%/chung-ooi-7/particles.txt %D%/chung-ooi-7/plot.gp %D%/chung-ooi-7/scene.yaml \
+	%D%/chung-ooi-8/particles.txt %D%/chung-ooi-8/plot.gp %D%/chung-ooi-8/scene.yaml %D%/cradle/scene.yaml \
+	%D%/curve.gp %D%/dmt-pull-off/scene.yaml %D%/drift-hertz/plot.gp %D%/drift-hertz/scene.yaml \
+	%D%/drift-hooke/plot.gp %D%/drift-hooke/scene.yaml %D%/drum-angle/scene.yaml %D%/end-of-contact/force.txt \
+	%D%/end-of-contact/overlap.txt %D%/end-of-contact/scene.yaml %D%/fluid-annulus/scene.yaml \
+	%D%/fluid-cavity/scene.yaml %D%/fluid-couette/scene.yaml %D%/fluid-cylinder/scene.yaml \
+	%D%/fluid-diffusion/scene.yaml %D%/fluid-electroosmosis/porous.yaml %D%/fluid-electroosmosis/scene.yaml \
+	%D%/fluid-fluidised-bed/scene.yaml %D%/fluid-fluidised-bed/terminal.yaml %D%/fluid-operators/scene.yaml \
+	%D%/fluid-poiseuille/scene.yaml %D%/fluid-settling/scene.yaml %D%/fluid-settling/shear.yaml \
+	%D%/fluid-sphere-array/scene.yaml %D%/fluid-taylor-aris/scene.yaml %D%/fluid-taylor-green/scene.yaml \
+	%D%/free-fall/scene.yaml %D%/haff/scene.yaml %D%/hard-boulder/scene.yaml %D%/hard-chain/scene.yaml \
+	%D%/hard-column/scene.yaml %D%/hard-haff/scene.yaml %D%/hard-impact/scene.yaml %D%/hard-rest/scene.yaml \
+	%D%/hard-sliding/scene.yaml %D%/hard-slope/scene.yaml %D%/heat-chain/scene.yaml %D%/heat-rod/particles.txt \
+	%D%/heat-rod/scene.yaml %D%/hertz.awk %D%/impact.c %D%/impacts.sh %D%/implicit-hertz/scene.yaml \
+	%D%/incline/scene.yaml %D%/janssen/scene.yaml %D%/jkr-pull-off/scene.yaml %D%/lees-edwards-gas/elastic.yaml \
+	%D%/lees-edwards-gas/scene.yaml %D%/line.awk %D%/luding-unloading/impacts.yaml \
+	%D%/luding-unloading/scene.yaml %D%/many-body/scene.yaml %D%/maw.c %D%/moving-wall/scene.yaml \
+	%D%/order-hertz/plot.gp %D%/order-hertz/scene.yaml %D%/order-hooke/plot.gp %D%/order-hooke/scene.yaml \
+	%D%/periodic/scene.yaml %D%/plane-mesh/scene.yaml %D%/restitution-hertz/particles.txt \
+	%D%/restitution-hertz/plot.gp %D%/restitution-hertz/scene.yaml %D%/restitution-hooke/particles.txt \
+	%D%/restitution-hooke/plot.gp %D%/restitution-hooke/scene.yaml %D%/restitution-speed/particles.txt \
+	%D%/restitution-speed/plot.gp %D%/restitution-speed/scene.yaml %D%/rolling-decay/scene.yaml \
+	%D%/settling/scene.yaml %D%/slide-to-roll/scene.yaml %D%/stack/scene.yaml %D%/sticking-velocity/scene.yaml \
+	%D%/style.gp %D%/tumbling-clump/scene.yaml %D%/turning-wall/disc.txt %D%/turning-wall/hertz.yaml \
+	%D%/turning-wall/plane.yaml %D%/turning-wall/scene.yaml %D%/vyas/plot.gp %D%/vyas/ratio-100.txt \
+	%D%/vyas/scene.yaml %D%/wall-edge/plate.txt %D%/wall-edge/scene.yaml
 
 nobase_dist_pkgdata_SCRIPTS += \
-	examples/verify/run.sh \
-	examples/verify/layouts.sh \
-	examples/verify/table.sh \
-	examples/verify/beverloo-3d/check \
-	examples/verify/beverloo/check \
-	examples/verify/bouncing/check \
-	examples/verify/bonded-cantilever/check \
-	examples/verify/bowl/check \
-	examples/verify/capillary-bridge/check \
-	examples/verify/chain/check \
-	examples/verify/chung-ooi-1/check \
-	examples/verify/chung-ooi-2/check \
-	examples/verify/chung-ooi-3/check \
-	examples/verify/chung-ooi-4/check \
-	examples/verify/chung-ooi-5/check \
-	examples/verify/chung-ooi-6/check \
-	examples/verify/chung-ooi-7/check \
-	examples/verify/chung-ooi-8/check \
-	examples/verify/cradle/check \
-	examples/verify/dmt-pull-off/check \
-	examples/verify/drift-hertz/check \
-	examples/verify/drift-hooke/check \
-	examples/verify/drum-angle/check \
-	examples/verify/end-of-contact/check \
-	examples/verify/fluid-annulus/check \
-	examples/verify/fluid-cavity/check \
-	examples/verify/fluid-couette/check \
-	examples/verify/fluid-cylinder/check \
-	examples/verify/fluid-diffusion/check \
-	examples/verify/fluid-electroosmosis/check \
-	examples/verify/fluid-fluidised-bed/check \
-	examples/verify/fluid-operators/check \
-	examples/verify/fluid-poiseuille/check \
-	examples/verify/fluid-settling/check \
-	examples/verify/fluid-sphere-array/check \
-	examples/verify/fluid-taylor-aris/check \
-	examples/verify/fluid-taylor-green/check \
-	examples/verify/free-fall/check \
-	examples/verify/haff/check \
-	examples/verify/hard-boulder/check \
-	examples/verify/hard-chain/check \
-	examples/verify/hard-column/check \
-	examples/verify/hard-haff/check \
-	examples/verify/hard-impact/check \
-	examples/verify/hard-rest/check \
-	examples/verify/hard-slope/check \
-	examples/verify/hard-sliding/check \
-	examples/verify/heat-chain/check \
-	examples/verify/heat-rod/check \
-	examples/verify/implicit-hertz/check \
-	examples/verify/incline/check \
-	examples/verify/janssen/check \
-	examples/verify/jkr-pull-off/check \
-	examples/verify/lees-edwards-gas/check \
-	examples/verify/luding-unloading/check \
-	examples/verify/many-body/check \
-	examples/verify/moving-wall/check \
-	examples/verify/order-hertz/check \
-	examples/verify/order-hooke/check \
-	examples/verify/periodic/check \
-	examples/verify/plane-mesh/check \
-	examples/verify/restitution-hertz/check \
-	examples/verify/restitution-hooke/check \
-	examples/verify/restitution-speed/check \
-	examples/verify/rolling-decay/check \
-	examples/verify/settling/check \
-	examples/verify/slide-to-roll/check \
-	examples/verify/stack/check \
-	examples/verify/sticking-velocity/check \
-	examples/verify/tumbling-clump/check \
-	examples/verify/turning-wall/check \
-	examples/verify/vyas/check \
-	examples/verify/wall-edge/check
+	%D%/beverloo-3d/check %D%/beverloo/check %D%/bonded-cantilever/check %D%/bouncing/check %D%/bowl/check \
+	%D%/capillary-bridge/check %D%/chain/check %D%/chung-ooi-1/check %D%/chung-ooi-2/check %D%/chung-ooi-3/check \
+	%D%/chung-ooi-4/check %D%/chung-ooi-5/check %D%/chung-ooi-6/check %D%/chung-ooi-7/check \
+	%D%/chung-ooi-8/check %D%/cradle/check %D%/dmt-pull-off/check %D%/drift-hertz/check %D%/drift-hooke/check \
+	%D%/drum-angle/check %D%/end-of-contact/check %D%/fluid-annulus/check %D%/fluid-cavity/check \
+	%D%/fluid-couette/check %D%/fluid-cylinder/check %D%/fluid-diffusion/check %D%/fluid-electroosmosis/check \
+	%D%/fluid-fluidised-bed/check %D%/fluid-operators/check %D%/fluid-poiseuille/check %D%/fluid-settling/check \
+	%D%/fluid-sphere-array/check %D%/fluid-taylor-aris/check %D%/fluid-taylor-green/check %D%/free-fall/check \
+	%D%/haff/check %D%/hard-boulder/check %D%/hard-chain/check %D%/hard-column/check %D%/hard-haff/check \
+	%D%/hard-impact/check %D%/hard-rest/check %D%/hard-sliding/check %D%/hard-slope/check %D%/heat-chain/check \
+	%D%/heat-rod/check %D%/implicit-hertz/check %D%/incline/check %D%/janssen/check %D%/jkr-pull-off/check \
+	%D%/layouts.sh %D%/lees-edwards-gas/check %D%/luding-unloading/check %D%/many-body/check \
+	%D%/moving-wall/check %D%/order-hertz/check %D%/order-hooke/check %D%/periodic/check %D%/plane-mesh/check \
+	%D%/restitution-hertz/check %D%/restitution-hooke/check %D%/restitution-speed/check %D%/rolling-decay/check \
+	%D%/run.sh %D%/settling/check %D%/slide-to-roll/check %D%/stack/check %D%/sticking-velocity/check \
+	%D%/table.sh %D%/tumbling-clump/check %D%/turning-wall/check %D%/vyas/check %D%/wall-edge/check

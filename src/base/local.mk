@@ -1,46 +1,13 @@
 # SPDX-License-Identifier: BSD-3-Clause
 noinst_LTLIBRARIES += libcore.la
 libcore_la_SOURCES = \
-	src/base/checksum.c \
-	src/base/checksum.h \
-	src/base/eigen3.c \
-	src/base/eigen3.h \
-	src/base/error.c \
-	src/base/error.h \
-	src/base/exact.c \
-	src/base/exact.h \
-	src/base/hash.c \
-	src/base/hash.h \
-	src/base/image.h \
-	src/base/log.c \
-	src/base/log.h \
-	src/base/memory.c \
-	src/base/memory.h \
-	src/base/mix.h \
-	src/base/program.c \
-	src/base/program.h \
-	src/base/random.c \
-	src/base/random.h \
-	src/base/scan.c \
-	src/base/scan.h \
-	src/base/stream.h \
-	src/base/team.c \
-	src/base/team.h \
-	src/base/threads.c \
-	src/base/threads.h \
-	src/base/timer.c \
-	src/base/timer.h \
-	src/base/version.c \
-	src/base/version.h
+	%D%/checksum.c %D%/eigen3.c %D%/error.c %D%/exact.c %D%/hash.c %D%/log.c %D%/memory.c %D%/program.c \
+	%D%/random.c %D%/scan.c %D%/team.c %D%/threads.c %D%/timer.c %D%/version.c %D%/checksum.h %D%/eigen3.h \
+	%D%/error.h %D%/exact.h %D%/hash.h %D%/image.h %D%/log.h %D%/memory.h %D%/mix.h %D%/program.h %D%/random.h \
+	%D%/scan.h %D%/stream.h %D%/team.h %D%/threads.h %D%/timer.h %D%/version.h
 
 noinst_LTLIBRARIES += libfiles.la
-libfiles_la_SOURCES = \
-	src/base/file.c \
-	src/base/file.h \
-	src/base/lines.c \
-	src/base/lines.h \
-	src/base/numbers.c \
-	src/base/numbers.h
+libfiles_la_SOURCES = %D%/file.c %D%/lines.c %D%/numbers.c %D%/file.h %D%/lines.h %D%/numbers.h
 libfiles_la_CPPFLAGS = $(AM_CPPFLAGS) $(ZLIB_CFLAGS)
 libfiles_la_LIBADD = $(ZLIB_LIBS)
 

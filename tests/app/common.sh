@@ -24,6 +24,21 @@ check() {
     fi
 }
 
+# check_long WHAT COMMAND...: one more check of a kind that the script has already; `make check-long` alone makes it
+check_long() {
+    [ -z "${SCREE_LONG:-}" ] || check "$@"
+}
+
+# in_turns SETTING...: sets `some` to all settings with SCREE_LONG, else to every second, the even and the odd ones in turns
+in_turns() {
+    local setting k=0
+    some=()
+    in_turns=$((1 - ${in_turns:-1}))
+    for setting; do
+        [ -z "${SCREE_LONG:-}" ] && [ $((k++ % 2)) != $in_turns ] || some+=("$setting")
+    done
+}
+
 # skip WHAT: what is not tried here, and why, in a line that .ci/run lists
 skip() {
     echo "skipped: $*"

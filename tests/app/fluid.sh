@@ -70,9 +70,9 @@ for index in linkcell ${SCREE_LONG:+multi bytype} hgrid auto; do
     check "index $index, 2 threads" operators 1 2 --set "index=$index"
 done
 check "2 ranks x 2 threads" operators 2 2
-check "3 ranks, brute" operators 3 1 --set index=brute
+check_long "3 ranks, brute" operators 3 1 --set index=brute
 check "4 ranks, hgrid" operators 4 1 --set index=hgrid
-check "8 ranks" operators 8 1
+check_long "8 ranks" operators 8 1
 check "2 ranks, reproducible order of sums" operators 2 1 --set newton=false
 displaced=(--set fluid.fill.jitter=0.2 --set fluid.kernel.support=2.8)
 rm -rf run
@@ -142,7 +142,7 @@ resumes() { # RANKS [FLAG...]
         cmp <(tail -n 1 whole/observables.csv) <(tail -n 1 half/observables.csv)
 }
 check "a resume gives the same bits" resumes 1
-check "a resume on 2 ranks gives the same bits" resumes 2
+check_long "a resume on 2 ranks gives the same bits" resumes 2
 kept() { # the preconditioner of the pressure serves more matrices than the one that it was made for
     tr -d ' \n' <whole/report.json | sed 's/.*"name":"pressure",\([^}]*\)}.*/\1/' >solvers && cat solvers &&
         grep -q '"solves":12,' solvers && grep -q '"set_ups":[1-9][,}]' solvers && grep -q '"kept":[1-9]' solvers
@@ -161,8 +161,8 @@ moves() { # RANKS THREADS [FLAG...]: the flow of one rank, and particles that ha
     run_scene "$ranks" channel.yaml other --set threads="$threads" --set fluid.solver.tolerance=1e-9 "${moving[@]}" "$@" && close one/observables.csv other/observables.csv
 }
 check "particles that move: the same flow on 2 ranks x 2 threads" moves 2 2
-check "particles that move: the same flow on 3 ranks, hgrid" moves 3 1 --set index=hgrid
-check "particles that move: the same flow with brute, a search in each step" moves 1 1 --set index=brute --set step.rebuild_every=1
+check_long "particles that move: the same flow on 3 ranks, hgrid" moves 3 1 --set index=hgrid
+check_long "particles that move: the same flow with brute, a search in each step" moves 1 1 --set index=brute --set step.rebuild_every=1
 points=(--set 'fluid.motion={name: ale, velocity: [0.5, 0, 0], swing: [0.01, 0.01, 0], period: 0.2}')
 check "points with a velocity of their own: a resume gives the same bits" resumes 1 "${points[@]}"
 driven() { # a flow of given mass goes on as if it had not stopped
@@ -227,7 +227,7 @@ steady() {
             exit !($7 / $5 > 0.999 && $7 / $5 < 1.001 && K > 4.0 && K < 4.4) }'
 }
 check "steady flow past an array of spheres" steady 1
-check "steady flow on 2 ranks" steady 2
+check_long "steady flow on 2 ranks" steady 2
 tight=(--set fluid.time=steady --set 'step={count: 1}' --set output.dump.every=1 --set fluid.solver.tolerance=1e-6)
 rm -rf one
 run_scene 1 sphere.yaml one --set threads=1 "${tight[@]}"

@@ -103,9 +103,10 @@ layout() {
 
 for case in periodic open plane boulder; do
     check "$case: the reference moves enough" reference $case
-    for setting in '1 linkcell on full' '1 multi off full' '1 bytype on full' '1 hgrid off full' \
+    in_turns '1 linkcell on full' '1 multi off full' '1 bytype on full' '1 hgrid off full' \
         '2 hgrid on full' '3 bytype on reduced' '4 hgrid off full' '8 hgrid on reduced' '4 hgrid on reduced 0.04' \
-        '2 bytype off full 0.04'; do
+        '2 bytype off full 0.04'
+    for setting in "${some[@]}"; do
         check "$case: ranks, index, newton, ghosts (, skin): $setting" layout $case $setting
     done
 done
@@ -137,7 +138,8 @@ orders() {
     { head -n 1 order-ring/observables.csv && tail -n 1 order-ring/observables.csv; } | cmp - rows
 }
 for case in periodic open plane boulder; do
-    for setting in '1 1' '1 3' '2 2' '4 1'; do
+    in_turns '1 1' '2 2' '1 3' '4 1'
+    for setting in "${some[@]}"; do
         check "$case: orders of the step: ranks, threads: $setting" orders $case $setting
     done
 done

@@ -86,8 +86,9 @@ same_bits() {
 
 for case in ten forty continuous boulder; do
     check "$case: the reference moves enough" reference $case
-    for setting in '2 bisection shadow on reduced' '4 brick shadow off full' '8 bisection shadow on full' \
-        '8 brick shadow on reduced' '8 bisection shadow off full'; do
+    in_turns '2 bisection shadow on reduced' '8 bisection shadow on full' '4 brick shadow off full' \
+        '8 bisection shadow off full' '8 brick shadow on reduced'
+    for setting in "${some[@]}"; do
         check "$case: ranks, domain, sync, newton, ghosts: $setting" layout $case $setting
     done
 done

@@ -98,9 +98,9 @@ whole() {
 for ranks in 1 2; do
     check "a run to go on from, ranks: $ranks" whole $ranks
 done
-# `make check-long` lets each call fail, `make check` every fifth
+# `make check-long` lets each call fail, `make check` every tenth
 every=${SCREE_LONG:+1}
-every=${every:-5}
+every=${every:-10}
 if [ -e "$fail_call" ]; then
     least=$((20 / every))
     check 'a checkpoint that cannot be read (EIO), one rank' unreadable 1 pread checkpoint-10 5 $(seq 1 "$every" 40)

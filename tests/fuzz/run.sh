@@ -3,23 +3,29 @@
 # The readers of text under libFuzzer, with AddressSanitizer and UBSan: builds tests/fuzz/readers by clang, makes a corpus of
 # valid inputs, and gives each reader its share of the time, two at once.
 #
-#   run.sh [SECONDS]    60 if left out; SCREE_FUZZ="dump mesh" tries these readers alone
+#   run.sh [SECONDS]    60 if left out: other inputs at each call
+#   run.sh --runs N     N inputs a reader, the same ones at each call, on any machine
 #
+# SCREE_FUZZ="dump mesh" tries these readers alone.
 # An input that crashes, hangs, leaks or overflows fails; it stays in $FUZZ_BUILD/found, and the command that repeats it is
 # printed. Environment: FUZZ_BUILD, the build folder (build-fuzz in the source tree), which is kept between calls; FUZZ_CC
 # (clang). Status 77, with a reason, where there is no clang with libFuzzer.
 set -u
 
 top=$(cd "$(dirname "$0")/../.." && pwd)
-seconds=${1:-60}
+seconds=60 runs=
+case ${1:-} in
+--runs) runs=${2:-} ;;
+?*) seconds=$1 ;;
+esac
 build=${FUZZ_BUILD:-$top/build-fuzz}
 cc=${FUZZ_CC:-clang}
 jobs=2
 readers=${SCREE_FUZZ:-scene setting table lammps-data source-data dump mesh numbers}
 export OMP_NUM_THREADS=1 UBSAN_OPTIONS=halt_on_error=1:print_stacktrace=1
 
-case $seconds in
-'' | *[!0-9]*) echo "run.sh: '$seconds' is no number of seconds" >&2; exit 2 ;;
+case $seconds$runs in
+*[!0-9]*) echo "run.sh: '$*' is neither SECONDS nor --runs N" >&2; exit 2 ;;
 esac
 mkdir -p "$build" && build=$(cd "$build" && pwd) || exit 1
 echo 'int LLVMFuzzerTestOneInput(const unsigned char *data, unsigned long size) { return !data && size; }' >"$build/probe.c"
@@ -85,18 +91,20 @@ printf "ply\nformat ascii 1.0\ncomment a square\n${head}0 0 0\n2 0 0\n2 1 0\n0 1
 printf 'time x y z a b c\n0 0 0 0 0 0 0\r\n# note\n1e-3, 1; 2 3\t4 5 6\n\n2 1 1 1 1 1 1' >"$corpus/numbers/table"
 cp "$top/examples/verify/end-of-contact/force.txt" "$corpus/numbers/two"
 
-# one READER: for its share of the time; what it says is in logs/READER
+# one READER: within its limits; what it says is in logs/READER
 one() {
     mkdir -p "$build/at/$1" && cd "$build/at/$1" || return 1
-    SCREE_FUZZ=$1 "$build/tests/fuzz/readers" -max_total_time="$share" -timeout=20 -rss_limit_mb=3000 -max_len=4096 \
+    # shellcheck disable=SC2086
+    SCREE_FUZZ=$1 "$build/tests/fuzz/readers" $limits -timeout=60 -rss_limit_mb=3000 -max_len=4096 \
         -print_final_stats=1 -artifact_prefix="$build/found/$1-" "$corpus/$1" >"$build/logs/$1" 2>&1 || return 1
     echo "passed: $1: $(awk '/number_of_executed_units/ { print $2 }' "$build/logs/$1") inputs"
 }
 export -f one
 count=$(wc -w <<<"$readers")
 share=$((seconds * jobs / count))
-[ $share -gt 0 ] || share=1
-export build corpus share
+limits="-max_total_time=$((share > 0 ? share : 1))"
+[ -z "$runs" ] || limits="-runs=$runs -seed=1 -keep_seed=1"
+export build corpus limits
 tr ' ' '\n' <<<"$readers" | xargs -P "$jobs" -I READER bash -c 'one READER || echo "FAILED: READER"' | tee "$build/result"
 
 failed=0

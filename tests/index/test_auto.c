@@ -1,15 +1,12 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* The choice of auto: levels, cuts and cells for scenes with a clear answer, and equal choices for equal
  * scenes. */
+#include "tests/test.h"
+
 #include "index/choose/auto_choose.h"
-#include "tests/index/cloud.h"
+#include "tests/index/index_cloud.h"
 
 #include <math.h>
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <cmocka.h>
 #include <string.h>
 
 enum { RADII = 4000 };
@@ -140,18 +137,18 @@ static void choices_have_no_memory(void **state) {
     struct cloud few, many;
     struct error error = {0};
     struct index_params params = {0};
-    cloud_make(&few, &(struct cloud_spec){.count = 900,
-                                          .sizes = CLOUD_POWER,
-                                          .ratio = 50,
-                                          .fraction = 0.5,
-                                          .dimension = 3,
-                                          .periodic = {true, true, true}});
-    cloud_make(&many, &(struct cloud_spec){.count = 4000,
-                                           .sizes = CLOUD_BIDISPERSE,
-                                           .large = 20,
-                                           .ratio = 6,
-                                           .fraction = 0.1,
-                                           .dimension = 3});
+    index_cloud_make(&few, &(struct cloud_spec){.count = 900,
+                                                .sizes = CLOUD_POWER,
+                                                .ratio = 50,
+                                                .fraction = 0.5,
+                                                .dimension = 3,
+                                                .periodic = {true, true, true}});
+    index_cloud_make(&many, &(struct cloud_spec){.count = 4000,
+                                                 .sizes = CLOUD_BIDISPERSE,
+                                                 .large = 20,
+                                                 .ratio = 6,
+                                                 .fraction = 0.1,
+                                                 .dimension = 3});
     struct index *used = index_create("auto", &params, &error),
                  *fresh = index_create("auto", &params, &error);
     struct index_description a, b;
@@ -168,8 +165,8 @@ static void choices_have_no_memory(void **state) {
     }
     index_destroy(&used);
     index_destroy(&fresh);
-    cloud_free(&few);
-    cloud_free(&many);
+    index_cloud_free(&few);
+    index_cloud_free(&many);
 }
 
 /* All variants that are offered find the same pairs. */
@@ -177,12 +174,12 @@ static void variants_find_the_same(void **state) {
     (void)state;
     struct cloud cloud;
     struct index_params params = {0};
-    cloud_make(&cloud, &(struct cloud_spec){.count = 2000,
-                                            .sizes = CLOUD_POWER,
-                                            .ratio = 30,
-                                            .fraction = 0.5,
-                                            .dimension = 3,
-                                            .periodic = {true, true, true}});
+    index_cloud_make(&cloud, &(struct cloud_spec){.count = 2000,
+                                                  .sizes = CLOUD_POWER,
+                                                  .ratio = 30,
+                                                  .fraction = 0.5,
+                                                  .dimension = 3,
+                                                  .periodic = {true, true, true}});
     struct index *index = cloud_index(&cloud, "auto", &params);
     struct pair_set expected, found;
     pair_set_collect(&expected, index, &cloud.view, 3);
@@ -199,7 +196,7 @@ static void variants_find_the_same(void **state) {
     }
     pair_set_free(&expected);
     index_destroy(&index);
-    cloud_free(&cloud);
+    index_cloud_free(&cloud);
 }
 
 /* Cells are the user's multiple of the chosen cells, even if larger cells would keep the grid dense. */
@@ -208,8 +205,9 @@ static void cell_factors_are_kept(void **state) {
     static const double factors[] = {1, 0.7, 0.6, 0.5, 0.4, 0.3};
     struct cloud cloud;
     double edge = 0;
-    cloud_make(&cloud, &(struct cloud_spec){
-                           .count = 4000, .sizes = CLOUD_MONO, .ratio = 1, .fraction = 0.5, .dimension = 3});
+    index_cloud_make(&cloud,
+                     &(struct cloud_spec){
+                         .count = 4000, .sizes = CLOUD_MONO, .ratio = 1, .fraction = 0.5, .dimension = 3});
     for (size_t k = 0; k < sizeof factors / sizeof factors[0]; k++) {
         struct index_params params = {.cell_factor = factors[k]};
         struct index *index = cloud_index(&cloud, "auto", &params);
@@ -219,15 +217,10 @@ static void cell_factors_are_kept(void **state) {
         assert_true(fabs(description.level[0].cell - factors[k] * edge) < 1e-5 * edge);
         index_destroy(&index);
     }
-    cloud_free(&cloud);
+    index_cloud_free(&cloud);
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(equal_sizes_share_a_level),  cmocka_unit_test(sizes_far_apart_do_not),
-        cmocka_unit_test(wide_laws_get_a_few_levels), cmocka_unit_test(equal_levels_have_equal_occupancy),
-        cmocka_unit_test(choices_have_no_memory),     cmocka_unit_test(variants_find_the_same),
-        cmocka_unit_test(cell_factors_are_kept),      cmocka_unit_test(unwanted_pairs_cost_nothing),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+TEST_MAIN(auto, cmocka_unit_test(equal_sizes_share_a_level), cmocka_unit_test(sizes_far_apart_do_not),
+          cmocka_unit_test(wide_laws_get_a_few_levels), cmocka_unit_test(equal_levels_have_equal_occupancy),
+          cmocka_unit_test(choices_have_no_memory), cmocka_unit_test(variants_find_the_same),
+          cmocka_unit_test(cell_factors_are_kept), cmocka_unit_test(unwanted_pairs_cost_nothing))

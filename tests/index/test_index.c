@@ -1,12 +1,8 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* The contract's other promises: names, orders, threads, memory, descriptions. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <cmocka.h>
+#include "tests/test.h"
 
-#include "tests/index/cloud.h"
+#include "tests/index/index_cloud.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -25,12 +21,12 @@ static void unknown_names_list_the_known(void **state) {
     assert_string_equal(index_registry_get(0)->name, "brute");
     char why[INDEX_WHY_MAX] = "";
     struct cloud cloud;
-    cloud_make(&cloud, &(struct cloud_spec){.count = 3, .fraction = 0.1, .dimension = 3});
+    index_cloud_make(&cloud, &(struct cloud_spec){.count = 3, .fraction = 0.1, .dimension = 3});
     assert_false(index_applicable("octree", &params, &cloud.view, why));
     assert_non_null(strstr(why, "octree"));
     cloud.view.total = ((size_t)1 << 27) + 1;
     assert_false(index_applicable("hgrid", &params, &cloud.view, why));
-    cloud_free(&cloud);
+    index_cloud_free(&cloud);
 }
 
 static void make_order(const struct cloud *cloud, const char *name, int threads, uint32_t *order) {
@@ -73,7 +69,7 @@ static void orders_are_stable_permutations(void **state) {
         {"same place", 10000, 0, CLOUD_MONO, 1, .edge = {0, 0, 0}, .fraction = 1e9, .dimension = 3}};
     for (size_t s = 0; s < sizeof specs / sizeof specs[0]; s++) {
         struct cloud cloud;
-        cloud_make(&cloud, &specs[s]);
+        index_cloud_make(&cloud, &specs[s]);
         size_t bytes = cloud.view.owned * sizeof(uint32_t);
         uint32_t *order = malloc(bytes), *other = malloc(bytes);
         for (int k = 1; k < index_registry_count(); k++) {
@@ -84,7 +80,7 @@ static void orders_are_stable_permutations(void **state) {
                 make_order(&cloud, name, threads, other);
                 assert_memory_equal(order, other, bytes);
             }
-            cloud_reorder(&cloud, order);
+            index_cloud_reorder(&cloud, order);
             make_order(&cloud, name, 2, other);
             for (size_t i = 0; i < cloud.view.owned; i++) {
                 assert_int_equal(other[i], i);
@@ -92,20 +88,20 @@ static void orders_are_stable_permutations(void **state) {
         }
         free(order);
         free(other);
-        cloud_free(&cloud);
+        index_cloud_free(&cloud);
     }
 }
 
 static void brute_orders_nothing(void **state) {
     (void)state;
     struct cloud cloud;
-    cloud_make(&cloud, &(struct cloud_spec){.count = 5, .fraction = 0.1, .dimension = 3});
+    index_cloud_make(&cloud, &(struct cloud_spec){.count = 5, .fraction = 0.1, .dimension = 3});
     uint32_t order[5];
     make_order(&cloud, "brute", 1, order);
     for (uint32_t k = 0; k < 5; k++) {
         assert_int_equal(order[k], k);
     }
-    cloud_free(&cloud);
+    index_cloud_free(&cloud);
 }
 
 /* Clouds large enough for the threaded paths; open, so that brute has one image only. */
@@ -121,7 +117,7 @@ static void threads_find_the_same_pairs(void **state) {
     for (size_t s = 0; s < sizeof specs / sizeof specs[0]; s++) {
         struct cloud cloud;
         struct pair_set expected, found;
-        cloud_make(&cloud, &specs[s]);
+        index_cloud_make(&cloud, &specs[s]);
         struct index *index = cloud_index(&cloud, "brute", &params);
         pair_set_collect(&expected, index, &cloud.view, 1);
         index_destroy(&index);
@@ -136,7 +132,7 @@ static void threads_find_the_same_pairs(void **state) {
             }
         }
         pair_set_free(&expected);
-        cloud_free(&cloud);
+        index_cloud_free(&cloud);
     }
 }
 
@@ -158,7 +154,7 @@ static void indexes_can_be_rebuilt(void **state) {
                                       .seed = (uint64_t)round};
             struct cloud cloud;
             struct pair_set expected, found;
-            cloud_make(&cloud, &spec);
+            index_cloud_make(&cloud, &spec);
             struct index *brute = cloud_index(&cloud, "brute", &params);
             pair_set_collect(&expected, brute, &cloud.view, 1);
             index_build(index, &cloud.view);
@@ -167,7 +163,7 @@ static void indexes_can_be_rebuilt(void **state) {
             pair_set_free(&expected);
             pair_set_free(&found);
             index_destroy(&brute);
-            cloud_free(&cloud);
+            index_cloud_free(&cloud);
         }
         assert_int_equal(index->builds, 6);
         index_destroy(&index);
@@ -187,7 +183,7 @@ static void an_order_need_not_be_followed(void **state) {
                               .dimension = 3,
                               .periodic = {true, false, true},
                               .seed = 4};
-    cloud_make(&cloud, &spec);
+    index_cloud_make(&cloud, &spec);
     uint32_t *order = malloc(cloud.view.owned * sizeof *order);
     struct index *brute = cloud_index(&cloud, "brute", &params);
     pair_set_collect(&expected, brute, &cloud.view, 1);
@@ -203,7 +199,7 @@ static void an_order_need_not_be_followed(void **state) {
     pair_set_free(&expected);
     index_destroy(&brute);
     free(order);
-    cloud_free(&cloud);
+    index_cloud_free(&cloud);
 }
 
 static void memory_grows_with_particles_alone(void **state) {
@@ -212,13 +208,13 @@ static void memory_grows_with_particles_alone(void **state) {
     for (int k = 1; k < index_registry_count(); k++) {
         for (double edge = 1e4; edge < 1e8; edge *= 100) {
             struct cloud cloud;
-            cloud_make(&cloud, &(struct cloud_spec){.count = 5000,
-                                                    .large = 2,
-                                                    .sizes = CLOUD_BIDISPERSE,
-                                                    .ratio = 1000,
-                                                    .edge = {edge, edge, edge},
-                                                    .dimension = 3,
-                                                    .periodic = {true, true, true}});
+            index_cloud_make(&cloud, &(struct cloud_spec){.count = 5000,
+                                                          .large = 2,
+                                                          .sizes = CLOUD_BIDISPERSE,
+                                                          .ratio = 1000,
+                                                          .edge = {edge, edge, edge},
+                                                          .dimension = 3,
+                                                          .periodic = {true, true, true}});
             struct index *index = cloud_index(&cloud, index_registry_get(k)->name, &params);
             assert_in_range(index_memory(index), 5000 * 4, 5000 * 200 + (1 << 20));
             struct index_description description;
@@ -227,7 +223,7 @@ static void memory_grows_with_particles_alone(void **state) {
             bool coarse = strcmp(name, "linkcell") == 0 || strcmp(name, "auto") == 0;
             assert_true(description.level[0].sparse || coarse || description.levels == 0);
             index_destroy(&index);
-            cloud_free(&cloud);
+            index_cloud_free(&cloud);
         }
     }
 }
@@ -236,13 +232,13 @@ static void memory_grows_with_particles_alone(void **state) {
 static void released_indexes_can_be_rebuilt(void **state) {
     (void)state;
     struct cloud cloud;
-    cloud_make(&cloud, &(struct cloud_spec){.count = 3000,
-                                            .large = 3,
-                                            .sizes = CLOUD_BIDISPERSE,
-                                            .ratio = 20,
-                                            .fraction = 0.4,
-                                            .dimension = 3,
-                                            .periodic = {true, true, true}});
+    index_cloud_make(&cloud, &(struct cloud_spec){.count = 3000,
+                                                  .large = 3,
+                                                  .sizes = CLOUD_BIDISPERSE,
+                                                  .ratio = 20,
+                                                  .fraction = 0.4,
+                                                  .dimension = 3,
+                                                  .periodic = {true, true, true}});
     struct index_params params = {0};
     struct error error = {0};
     for (int k = 1; k < index_registry_count(); k++) {
@@ -265,19 +261,19 @@ static void released_indexes_can_be_rebuilt(void **state) {
         pair_set_free(&found);
         index_destroy(&index);
     }
-    cloud_free(&cloud);
+    index_cloud_free(&cloud);
 }
 
 static void descriptions_account_for_all(void **state) {
     (void)state;
     struct cloud cloud;
-    cloud_make(&cloud, &(struct cloud_spec){.count = 3000,
-                                            .sizes = CLOUD_POWER,
-                                            .ratio = 30,
-                                            .fraction = 0.5,
-                                            .dimension = 3,
-                                            .ghosts = 0.2,
-                                            .periodic = {true, true, true}});
+    index_cloud_make(&cloud, &(struct cloud_spec){.count = 3000,
+                                                  .sizes = CLOUD_POWER,
+                                                  .ratio = 30,
+                                                  .fraction = 0.5,
+                                                  .dimension = 3,
+                                                  .ghosts = 0.2,
+                                                  .periodic = {true, true, true}});
     struct index_params params = {.levels = 3};
     const struct {
         const char *name;
@@ -305,14 +301,14 @@ static void descriptions_account_for_all(void **state) {
         }
         index_destroy(&index);
     }
-    cloud_free(&cloud);
+    index_cloud_free(&cloud);
 }
 
 /* A check that never fails proves nothing. */
 static void checks_notice_moved_particles(void **state) {
     (void)state;
     struct cloud cloud;
-    cloud_make(&cloud, &(struct cloud_spec){.count = 500, .fraction = 0.3, .dimension = 3});
+    index_cloud_make(&cloud, &(struct cloud_spec){.count = 500, .fraction = 0.3, .dimension = 3});
     struct index_params params = {0};
     for (int k = 1; k < index_registry_count(); k++) {
         struct index *index = cloud_index(&cloud, index_registry_get(k)->name, &params);
@@ -325,21 +321,13 @@ static void checks_notice_moved_particles(void **state) {
         assert_true(index_check(index, &cloud.view, why));
         index_destroy(&index);
     }
-    cloud_free(&cloud);
+    index_cloud_free(&cloud);
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(unknown_names_list_the_known),
-        cmocka_unit_test(orders_are_stable_permutations),
-        cmocka_unit_test(brute_orders_nothing),
-        cmocka_unit_test(threads_find_the_same_pairs),
-        cmocka_unit_test(indexes_can_be_rebuilt),
-        cmocka_unit_test(an_order_need_not_be_followed),
-        cmocka_unit_test(memory_grows_with_particles_alone),
-        cmocka_unit_test(released_indexes_can_be_rebuilt),
-        cmocka_unit_test(descriptions_account_for_all),
-        cmocka_unit_test(checks_notice_moved_particles),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+TEST_MAIN(index, cmocka_unit_test(unknown_names_list_the_known),
+          cmocka_unit_test(orders_are_stable_permutations), cmocka_unit_test(brute_orders_nothing),
+          cmocka_unit_test(threads_find_the_same_pairs), cmocka_unit_test(indexes_can_be_rebuilt),
+          cmocka_unit_test(an_order_need_not_be_followed),
+          cmocka_unit_test(memory_grows_with_particles_alone),
+          cmocka_unit_test(released_indexes_can_be_rebuilt), cmocka_unit_test(descriptions_account_for_all),
+          cmocka_unit_test(checks_notice_moved_particles))

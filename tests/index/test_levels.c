@@ -1,14 +1,10 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* Every index against brute: exact sets of pairs over clouds of all kinds. The clouds have a third of the particles, with
  * SCREE_SHORT, as under sanitizers, an eighth, with SCREE_LONG all. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <cmocka.h>
+#include "tests/test.h"
 
 #include "index/search/search.h"
-#include "tests/index/cloud.h"
+#include "tests/index/index_cloud.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -210,7 +206,7 @@ static void reordered(struct cloud *cloud, const struct pair_set *expected, cons
             struct index_view owned = cloud->view;
             owned.total = owned.owned;
             index_order(index, &owned, order);
-            cloud_reorder(cloud, order);
+            index_cloud_reorder(cloud, order);
             build_ordered(cloud, index, &params, expected, what);
         }
         index_destroy(&index);
@@ -224,7 +220,7 @@ static void run_spec(const struct cloud_spec *spec, bool newton) {
     variant.newton = newton;
     variant.count = particles_of(spec);
     struct cloud cloud;
-    cloud_make(&cloud, &variant);
+    index_cloud_make(&cloud, &variant);
     struct pair_set expected;
     brute_set(&expected, &cloud);
     all_indexes(&cloud, &expected, spec->name, true);
@@ -233,7 +229,7 @@ static void run_spec(const struct cloud_spec *spec, bool newton) {
     cloud.view.threads = 4;
     all_indexes(&cloud, &expected, spec->name, false);
     pair_set_free(&expected);
-    cloud_free(&cloud);
+    index_cloud_free(&cloud);
 }
 
 static void every_index_equals_brute(void **state) {
@@ -259,14 +255,14 @@ static void unwanted_classes_never_meet(void **state) {
             variant.seed = 100 * draw + s;
             struct cloud cloud;
             struct pair_set expected;
-            cloud_make(&cloud, &variant);
+            index_cloud_make(&cloud, &variant);
             brute_set(&expected, &cloud);
             pairs += expected.count;
             all_indexes(&cloud, &expected, variant.name, draw == 0 && cloud.view.classes > 1);
             cloud.view.threads = 3;
             reordered(&cloud, &expected, variant.name);
             pair_set_free(&expected);
-            cloud_free(&cloud);
+            index_cloud_free(&cloud);
         }
     }
     assert_true(pairs > 10000);
@@ -296,7 +292,7 @@ static void unlike_pairs_of_changing_scenes(void **state) {
             struct pair_set expected, found;
             struct cloud_spec spec = scenes[s];
             spec.count = particles_of(&scenes[s]);
-            cloud_make(&cloud, &spec);
+            index_cloud_make(&cloud, &spec);
             brute_set(&expected, &cloud);
             cloud.view.threads = threads[(s + round) % (sizeof threads / sizeof threads[0])];
             index_build(index, &cloud.view);
@@ -304,7 +300,7 @@ static void unlike_pairs_of_changing_scenes(void **state) {
             pair_set_compare(&expected, &found, scenes[s].name);
             pair_set_free(&expected);
             pair_set_free(&found);
-            cloud_free(&cloud);
+            index_cloud_free(&cloud);
         }
     }
     index_destroy(&index);
@@ -325,11 +321,6 @@ static int say_instructions(void **state) {
     return 0;
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(every_index_equals_brute),
-        cmocka_unit_test(unwanted_classes_never_meet),
-        cmocka_unit_test(unlike_pairs_of_changing_scenes),
-    };
-    return cmocka_run_group_tests(tests, say_instructions, NULL);
-}
+TEST_MAIN_GROUP(levels, say_instructions, NULL, cmocka_unit_test(every_index_equals_brute),
+                cmocka_unit_test(unwanted_classes_never_meet),
+                cmocka_unit_test(unlike_pairs_of_changing_scenes))

@@ -1,14 +1,10 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* Particles that move and stay in their slots: the pairs are those of brute force, however far they move and wherever
  * they cross the box; and the particles are sorted again when that pays. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <cmocka.h>
+#include "tests/test.h"
 
 #include "base/random.h"
-#include "tests/index/cloud.h"
+#include "tests/index/index_cloud.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -98,7 +94,7 @@ static bool rebuild(struct cloud *cloud, struct index *index, bool may_stay) {
     owned.around = around;
     if (!stays) {
         index_order(index, &owned, order);
-        cloud_reorder(cloud, order);
+        index_cloud_reorder(cloud, order);
     }
     free(order);
     view.ordered = true;
@@ -116,12 +112,12 @@ struct way {
 static void way_make(struct way *way, const struct cloud_spec *spec, double far) {
     struct cloud cloud;
     *way = (struct way){.spec = spec, .far = far};
-    cloud_make(&cloud, spec);
+    index_cloud_make(&cloud, spec);
     for (uint64_t step = 0; step < BUILDS; step++) {
         brute_set(&way->expected[step], &cloud);
         stir(&cloud, far, step);
     }
-    cloud_free(&cloud);
+    index_cloud_free(&cloud);
 }
 
 static void way_free(struct way *way) {
@@ -136,7 +132,7 @@ static int stays_on(const struct way *way, const char *name, const struct index_
     struct cloud cloud;
     char what[256];
     int stays = 0;
-    cloud_make(&cloud, way->spec);
+    index_cloud_make(&cloud, way->spec);
     cloud.view.threads = 2;
     struct index *index = index_create(name, params, &error);
     for (uint64_t step = 0; step < BUILDS; step++) {
@@ -149,7 +145,7 @@ static int stays_on(const struct way *way, const char *name, const struct index_
         stir(&cloud, way->far, step);
     }
     index_destroy(&index);
-    cloud_free(&cloud);
+    index_cloud_free(&cloud);
     return stays;
 }
 
@@ -206,7 +202,7 @@ static void other_particles_are_sorted(void **state) {
     struct error error = {0};
     struct cloud cloud;
     (void)state;
-    cloud_make(&cloud, &specs[0]);
+    index_cloud_make(&cloud, &specs[0]);
     struct index *index = index_create("bytype", &params, &error);
     assert_false(rebuild(&cloud, index, true)); /* there was no build */
     assert_false(rebuild(&cloud, index, false));
@@ -218,12 +214,8 @@ static void other_particles_are_sorted(void **state) {
     compare(&expected, &cloud, index, "another box");
     pair_set_free(&expected);
     index_destroy(&index);
-    cloud_free(&cloud);
+    index_cloud_free(&cloud);
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(pairs_after_moves_equal_brute),
-                                       cmocka_unit_test(a_sort_comes_when_it_pays),
-                                       cmocka_unit_test(other_particles_are_sorted)};
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+TEST_MAIN(stay, cmocka_unit_test(pairs_after_moves_equal_brute), cmocka_unit_test(a_sort_comes_when_it_pays),
+          cmocka_unit_test(other_particles_are_sorted))

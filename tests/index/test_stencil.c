@@ -1,10 +1,6 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* The parts below the indexes: frames, grids, stencils, against their definitions. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <cmocka.h>
+#include "tests/test.h"
 
 #include "base/random.h"
 #include "index/grids/grid_frame.h"
@@ -175,13 +171,6 @@ static void frames_survive_nonsense(void **state) {
     assert_true(grid_frame_holds(&frame, 0, x[4][0]));
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(frames_keep_distances),
-        cmocka_unit_test(frames_end_where_particles_end),
-        cmocka_unit_test(cells_ascend),
-        cmocka_unit_test(stencils_cover_the_reach),
-        cmocka_unit_test(frames_survive_nonsense),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+TEST_MAIN(stencil, cmocka_unit_test(frames_keep_distances), cmocka_unit_test(frames_end_where_particles_end),
+          cmocka_unit_test(cells_ascend), cmocka_unit_test(stencils_cover_the_reach),
+          cmocka_unit_test(frames_survive_nonsense))

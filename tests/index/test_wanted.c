@@ -1,15 +1,11 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* Class pairs that are not wanted: a plain double loop finds the same pairs, and the index searches no
  * unwanted table. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <cmocka.h>
+#include "tests/test.h"
 
 #include "index/levels/levels.h"
 #include "index/levels/levels_plan.h"
-#include "tests/index/cloud.h"
+#include "tests/index/index_cloud.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -45,7 +41,7 @@ static void make_cloud(struct cloud *cloud, int kind) {
                                     .ghosts = kind == 2 ? 0 : 0.25,
                                     .newton = kind < 2,
                                     .seed = (uint64_t)kind};
-    cloud_make(cloud, &spec);
+    index_cloud_make(cloud, &spec);
     assert_int_equal(cloud->view.classes, CLASSES);
 }
 
@@ -110,7 +106,7 @@ static void compare_index(struct cloud *cloud, struct index *index, const struct
         struct index_view owned = cloud->view;
         owned.total = owned.owned;
         index_order(index, &owned, order);
-        cloud_reorder(cloud, order);
+        index_cloud_reorder(cloud, order);
         free(order);
     }
     index_build(index, &cloud->view);
@@ -151,7 +147,7 @@ static void a_plain_loop_finds_the_same(void **state) {
         for (int k = 0; k < indexes; k++) {
             index_destroy(&index[k]);
         }
-        cloud_free(&cloud);
+        index_cloud_free(&cloud);
     }
 }
 
@@ -182,7 +178,7 @@ static void searches_in_vain_are_left_out(void **state) {
             assert_int_equal(found, expected);
             levels_free(&levels);
         }
-        cloud_free(&cloud);
+        index_cloud_free(&cloud);
     }
 }
 
@@ -192,13 +188,13 @@ static void who_meets_nobody_needs_no_cells(void **state) {
     (void)state;
     const struct index_params params = {0};
     struct cloud cloud;
-    cloud_make(&cloud, &(struct cloud_spec){.count = 2000,
-                                            .large = 40,
-                                            .sizes = CLOUD_BIDISPERSE,
-                                            .ratio = 10,
-                                            .fraction = 0.5,
-                                            .dimension = 3,
-                                            .periodic = {true, true, true}});
+    index_cloud_make(&cloud, &(struct cloud_spec){.count = 2000,
+                                                  .large = 40,
+                                                  .sizes = CLOUD_BIDISPERSE,
+                                                  .ratio = 10,
+                                                  .fraction = 0.5,
+                                                  .dimension = 3,
+                                                  .periodic = {true, true, true}});
     for (int alone = 0; alone < 2; alone++) {
         for (int b = 0; b < 2; b++) {
             cloud.view.margin[alone][b] = cloud.view.margin[b][alone] = INDEX_NOT_WANTED;
@@ -231,14 +227,8 @@ static void who_meets_nobody_needs_no_cells(void **state) {
         }
         index_destroy(&index);
     }
-    cloud_free(&cloud);
+    index_cloud_free(&cloud);
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(a_plain_loop_finds_the_same),
-        cmocka_unit_test(searches_in_vain_are_left_out),
-        cmocka_unit_test(who_meets_nobody_needs_no_cells),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+TEST_MAIN(wanted, cmocka_unit_test(a_plain_loop_finds_the_same),
+          cmocka_unit_test(searches_in_vain_are_left_out), cmocka_unit_test(who_meets_nobody_needs_no_cells))

@@ -1,12 +1,8 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* Divides a cloud among ranks, makes copies, and states the copies that must exist. Read fixture.h first. */
-#include "fixture.h"
+#include "tests/test.h"
 
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <cmocka.h>
+#include "fixture.h"
 
 #include "kernel/comm/domain_tree.h"
 #include "base/random.h"

@@ -28,4 +28,16 @@ _Noreturn void team_skip(const struct team *team, const char *why);
 /* Ends a test; the test fails on all ranks if it failed on one. Collective. */
 void team_finish(struct team *team);
 
+/* Defines the main of a program that runs these cases, each a team_case(FUNCTION), which gets the team as its state, or a
+ * cmocka_unit_test of any kind. `name` names them all in what the program prints. */
+#define TEAM_MAIN(name, ...)                                                                                 \
+    int main(int argc, char **argv) {                                                                        \
+        struct team team;                                                                                    \
+        team_start(&team, &argc, &argv);                                                                     \
+        const struct CMUnitTest name##_cases[] = {__VA_ARGS__};                                              \
+        int failed = cmocka_run_group_tests_name(#name, name##_cases, NULL, NULL);                           \
+        return team_stop(&team) + failed;                                                                    \
+    }
+#define team_case(function) cmocka_unit_test_prestate(function, &team)
+
 #endif

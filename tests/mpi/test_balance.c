@@ -2,11 +2,7 @@
 /* Division of the box by load: even loads with many particles, a complete division with few.
  *
  * Ranks: 1 2 3 4 8 Long: 27 */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <cmocka.h>
+#include "tests/test.h"
 
 #include "kernel/comm/balance.h"
 #include "base/memory.h"
@@ -144,13 +140,4 @@ static void few_have_one_owner_each(void **state) {
     team_finish(team);
 }
 
-int main(int argc, char **argv) {
-    struct team team;
-    team_start(&team, &argc, &argv);
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test_prestate(many_are_shared_evenly, &team),
-        cmocka_unit_test_prestate(few_have_one_owner_each, &team),
-    };
-    int failed = cmocka_run_group_tests(tests, NULL, NULL);
-    return team_stop(&team) + failed;
-}
+TEAM_MAIN(balance, team_case(many_are_shared_evenly), team_case(few_have_one_owner_each))

@@ -1,11 +1,7 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* Checkpoints: the same state back on the same layout, bit for bit, and on any other; old checkpoints deleted.
  * Ranks: 1 2 3 4 */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <cmocka.h>
+#include "tests/test.h"
 
 #include "state.h"
 #include "tests/own_law.h"
@@ -286,20 +282,7 @@ static void cuts_of_a_bisection_come_back(void **state) {
     team_finish(team);
 }
 
-int main(int argc, char **argv) {
-    struct team team;
-    team_start(&team, &argc, &argv);
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test_prestate(comes_back_on_the_same_layout, &team),
-        cmocka_unit_test_prestate(comes_back_on_other_layouts, &team),
-        cmocka_unit_test_prestate(features_may_change, &team),
-        cmocka_unit_test_prestate(groups_may_come, &team),
-        cmocka_unit_test_prestate(no_particles_at_all, &team),
-        cmocka_unit_test_prestate(wall_poses_come_back, &team),
-        cmocka_unit_test_prestate(head_is_read_alone, &team),
-        cmocka_unit_test_prestate(old_ones_are_deleted, &team),
-        cmocka_unit_test_prestate(cuts_of_a_bisection_come_back, &team),
-    };
-    int failed = cmocka_run_group_tests_name("checkpoint", tests, NULL, NULL);
-    return team_stop(&team) || failed;
-}
+TEAM_MAIN(checkpoint, team_case(comes_back_on_the_same_layout), team_case(comes_back_on_other_layouts),
+          team_case(features_may_change), team_case(groups_may_come), team_case(no_particles_at_all),
+          team_case(wall_poses_come_back), team_case(head_is_read_alone), team_case(old_ones_are_deleted),
+          team_case(cuts_of_a_bisection_come_back))

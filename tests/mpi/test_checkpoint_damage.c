@@ -1,11 +1,7 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* Checkpoints that are cut off, changed or foreign are refused; a checkpoint that cannot be written leaves the
  * old checkpoint whole. Ranks: 1 2 3 4 */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <cmocka.h>
+#include "tests/test.h"
 
 #include "state.h"
 
@@ -207,17 +203,6 @@ static void a_missing_folder_is_named(void **state) {
     team_finish(team);
 }
 
-int main(int argc, char **argv) {
-    struct team team;
-    team_start(&team, &argc, &argv);
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test_prestate(any_cut_is_noticed, &team),
-        cmocka_unit_test_prestate(any_flip_is_noticed, &team),
-        cmocka_unit_test_prestate(the_dataset_is_named, &team),
-        cmocka_unit_test_prestate(foreign_files_are_refused, &team),
-        cmocka_unit_test_prestate(what_does_not_fit_leaves_the_old_one, &team),
-        cmocka_unit_test_prestate(a_missing_folder_is_named, &team),
-    };
-    int failed = cmocka_run_group_tests_name("checkpoint_damage", tests, NULL, NULL);
-    return team_stop(&team) || failed;
-}
+TEAM_MAIN(checkpoint_damage, team_case(any_cut_is_noticed), team_case(any_flip_is_noticed),
+          team_case(the_dataset_is_named), team_case(foreign_files_are_refused),
+          team_case(what_does_not_fit_leaves_the_old_one), team_case(a_missing_folder_is_named))

@@ -1,10 +1,6 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* Starting MPI, agreement on errors, collective helpers. Ranks: 1 2 3 4 8 */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <cmocka.h>
+#include "tests/test.h"
 
 #include "kernel/comm/comm.h"
 #include "base/memory.h"
@@ -134,18 +130,6 @@ static void gather_varying(void **state) {
     team_finish(team);
 }
 
-int main(int argc, char **argv) {
-    struct team team;
-    team_start(&team, &argc, &argv);
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test_prestate(agree_on_the_error_of_one, &team),
-        cmocka_unit_test_prestate(agree_on_the_lowest_of_several, &team),
-        cmocka_unit_test_prestate(agree_that_all_is_well, &team),
-        cmocka_unit_test_prestate(reductions, &team),
-        cmocka_unit_test_prestate(two_largest, &team),
-        cmocka_unit_test_prestate(broadcast_and_gather_all, &team),
-        cmocka_unit_test_prestate(gather_varying, &team),
-    };
-    int failed = cmocka_run_group_tests(tests, NULL, NULL);
-    return team_stop(&team) + failed;
-}
+TEAM_MAIN(comm, team_case(agree_on_the_error_of_one), team_case(agree_on_the_lowest_of_several),
+          team_case(agree_that_all_is_well), team_case(reductions), team_case(two_largest),
+          team_case(broadcast_and_gather_all), team_case(gather_varying))

@@ -1,11 +1,7 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* Copies against their definition, which every rank can apply to all particles: exactly the copies that the
- * rule demands, and no pair without its partner. Ranks: 1 2 3 4 8 27 */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <cmocka.h>
+ * rule demands, and no pair without its partner. Ranks: 1 2 3 4 8 Long: 27 */
+#include "tests/test.h"
 
 #include "base/memory.h"
 #include "fixture.h"
@@ -177,15 +173,5 @@ static void several_images_on_one_rank(void **state) {
     team_finish(team);
 }
 
-int main(int argc, char **argv) {
-    struct team team;
-    team_start(&team, &argc, &argv);
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test_prestate(exact_set_of_copies, &team),
-        cmocka_unit_test_prestate(no_pair_without_partner, &team),
-        cmocka_unit_test_prestate(no_copies_for_nobody, &team),
-        cmocka_unit_test_prestate(several_images_on_one_rank, &team),
-    };
-    int failed = cmocka_run_group_tests(tests, NULL, NULL);
-    return team_stop(&team) + failed;
-}
+TEAM_MAIN(copies, team_case(exact_set_of_copies), team_case(no_pair_without_partner),
+          team_case(no_copies_for_nobody), team_case(several_images_on_one_rank))

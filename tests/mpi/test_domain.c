@@ -1,11 +1,7 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* The division of the box against its definition, for any number of ranks. The domain does not communicate,
  * so the test pretends the rank counts, and one process is enough. Ranks: 1 */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <cmocka.h>
+#include "tests/test.h"
 
 #include "kernel/comm/domain.h"
 #include "kernel/comm/domain_grid.h"
@@ -358,14 +354,9 @@ static void owner_on_a_cut(void **state) {
         }
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(owner_of_any_position),    cmocka_unit_test(owner_on_the_upper_face),
-        cmocka_unit_test(touching_of_random_balls), cmocka_unit_test(touching_in_thin_grids),
-        cmocka_unit_test(touching_is_exact),        cmocka_unit_test(grids_of_least_surface),
-        cmocka_unit_test(grids_of_least_load),      cmocka_unit_test(grids_that_do_not_fit),
-        cmocka_unit_test(wrapped_directions),       cmocka_unit_test(trees_from_cuts),
-        cmocka_unit_test(owner_on_a_cut),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+TEST_MAIN(domain, cmocka_unit_test(owner_of_any_position), cmocka_unit_test(owner_on_the_upper_face),
+          cmocka_unit_test(touching_of_random_balls), cmocka_unit_test(touching_in_thin_grids),
+          cmocka_unit_test(touching_is_exact), cmocka_unit_test(grids_of_least_surface),
+          cmocka_unit_test(grids_of_least_load), cmocka_unit_test(grids_that_do_not_fit),
+          cmocka_unit_test(wrapped_directions), cmocka_unit_test(trees_from_cuts),
+          cmocka_unit_test(owner_on_a_cut))

@@ -1,11 +1,7 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* LAMMPS's text files, conversions between formats, and the text of info about the files.
  * Ranks: 1 2 4 */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <cmocka.h>
+#include "tests/test.h"
 
 #include "cloud.h"
 #include "base/memory.h"
@@ -420,19 +416,6 @@ static void info_tells_what_it_is(void **state) {
     team_finish(team);
 }
 
-int main(int argc, char **argv) {
-    struct team team;
-    team_start(&team, &argc, &argv);
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test_prestate(dump_comes_back, &team),
-        cmocka_unit_test_prestate(dump_goes_on, &team),
-        cmocka_unit_test_prestate(conversions_close_the_circle, &team),
-        cmocka_unit_test_prestate(checkpoint_is_converted, &team),
-        cmocka_unit_test_prestate(data_file_is_read, &team),
-        cmocka_unit_test_prestate(wrong_data_is_refused, &team),
-        cmocka_unit_test_prestate(wrong_dumps_are_refused, &team),
-        cmocka_unit_test_prestate(info_tells_what_it_is, &team),
-    };
-    int failed = cmocka_run_group_tests_name("dump", tests, NULL, NULL);
-    return team_stop(&team) || failed;
-}
+TEAM_MAIN(dump, team_case(dump_comes_back), team_case(dump_goes_on), team_case(conversions_close_the_circle),
+          team_case(checkpoint_is_converted), team_case(data_file_is_read), team_case(wrong_data_is_refused),
+          team_case(wrong_dumps_are_refused), team_case(info_tells_what_it_is))

@@ -1,11 +1,7 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* Exchanges with and without a plan, over random graphs, in many small pieces, and the end of the job if a
  * message has the wrong length. Ranks: 1 2 3 4 8 */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <cmocka.h>
+#include "tests/test.h"
 
 #include "kernel/comm/exchange.h"
 #include "base/memory.h"
@@ -215,16 +211,5 @@ static void message_too_long(void **state) {
     expect_wrong_length(team, 16, "16 bytes expected) failed: MPI_ERR_TRUNCATE");
 }
 
-int main(int argc, char **argv) {
-    struct team team;
-    team_start(&team, &argc, &argv);
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test_prestate(sparse, &team),
-        cmocka_unit_test_prestate(planned, &team),
-        cmocka_unit_test_prestate(counts, &team),
-        cmocka_unit_test_prestate(message_too_short, &team),
-        cmocka_unit_test_prestate(message_too_long, &team),
-    };
-    int failed = cmocka_run_group_tests(tests, NULL, NULL);
-    return team_stop(&team) + failed;
-}
+TEAM_MAIN(exchange, team_case(sparse), team_case(planned), team_case(counts), team_case(message_too_short),
+          team_case(message_too_long))

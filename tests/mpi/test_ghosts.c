@@ -1,11 +1,7 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* The plan carries values forward, and describes itself. Sums back: test_ghosts_sums.c.
- * Ranks: 1 2 3 4 8 27 */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <cmocka.h>
+ * Ranks: 1 2 3 4 8 Long: 27 */
+#include "tests/test.h"
 
 #include "base/memory.h"
 #include "fixture.h"
@@ -334,19 +330,6 @@ static void counts(void **state) {
     team_finish(team);
 }
 
-int main(int argc, char **argv) {
-    struct team team;
-    team_start(&team, &argc, &argv);
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test_prestate(values_forward, &team),
-        cmocka_unit_test_prestate(values_in_place, &team),
-        cmocka_unit_test_prestate(threads_do_not_matter, &team),
-        cmocka_unit_test_prestate(one_field_forward, &team),
-        cmocka_unit_test_prestate(originals, &team),
-        cmocka_unit_test_prestate(used_copies_travel, &team),
-        cmocka_unit_test_prestate(outside_by_a_vector, &team),
-        cmocka_unit_test_prestate(counts, &team),
-    };
-    int failed = cmocka_run_group_tests(tests, NULL, NULL);
-    return team_stop(&team) + failed;
-}
+TEAM_MAIN(ghosts, team_case(values_forward), team_case(values_in_place), team_case(threads_do_not_matter),
+          team_case(one_field_forward), team_case(originals), team_case(used_copies_travel),
+          team_case(outside_by_a_vector), team_case(counts))

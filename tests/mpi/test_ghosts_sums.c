@@ -1,11 +1,7 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* The plan carries sums of copies back to the originals.
- * Ranks: 1 2 3 4 8 27 */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <cmocka.h>
+ * Ranks: 1 2 3 4 8 Long: 27 */
+#include "tests/test.h"
 
 #include "base/memory.h"
 #include "fixture.h"
@@ -144,14 +140,4 @@ static void sums_are_reproducible(void **state) {
     team_finish(team);
 }
 
-int main(int argc, char **argv) {
-    struct team team;
-    team_start(&team, &argc, &argv);
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test_prestate(sums_back, &team),
-        cmocka_unit_test_prestate(any_sums_back, &team),
-        cmocka_unit_test_prestate(sums_are_reproducible, &team),
-    };
-    int failed = cmocka_run_group_tests(tests, NULL, NULL);
-    return team_stop(&team) + failed;
-}
+TEAM_MAIN(ghosts_sums, team_case(sums_back), team_case(any_sums_back), team_case(sums_are_reproducible))

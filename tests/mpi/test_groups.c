@@ -1,10 +1,6 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* Sorting items by rank. Ranks: 1 */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <cmocka.h>
+#include "tests/test.h"
 
 #include "kernel/comm/rank_groups.h"
 #include "base/memory.h"
@@ -65,11 +61,5 @@ static void many_ranks(void **state) {
     assert_true(memory_peak() - before < 200 * ITEMS);
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(random_ranks),
-        cmocka_unit_test(ends_of_the_range),
-        cmocka_unit_test(many_ranks),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+TEST_MAIN(groups, cmocka_unit_test(random_ranks), cmocka_unit_test(ends_of_the_range),
+          cmocka_unit_test(many_ranks))

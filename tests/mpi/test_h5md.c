@@ -1,11 +1,7 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* Trajectories: the elements that H5MD demands (read with HDF5 itself), and the same bytes of data for every
  * number of ranks. Ranks: 1 2 4 */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <cmocka.h>
+#include "tests/test.h"
 
 #include "trajectory.h"
 
@@ -146,15 +142,5 @@ static void unknown_fields_are_refused(void **state) {
     team_finish(team);
 }
 
-int main(int argc, char **argv) {
-    struct team team;
-    team_start(&team, &argc, &argv);
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test_prestate(solid_file_is_h5md, &team),
-        cmocka_unit_test_prestate(flat_file_is_h5md, &team),
-        cmocka_unit_test_prestate(only_what_the_scene_has, &team),
-        cmocka_unit_test_prestate(unknown_fields_are_refused, &team),
-    };
-    int failed = cmocka_run_group_tests_name("h5md", tests, NULL, NULL);
-    return team_stop(&team) || failed;
-}
+TEAM_MAIN(h5md, team_case(solid_file_is_h5md), team_case(flat_file_is_h5md),
+          team_case(only_what_the_scene_has), team_case(unknown_fields_are_refused))

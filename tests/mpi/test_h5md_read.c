@@ -1,10 +1,6 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* Trajectories read back: those of scree, those of other programs, and broken files. Ranks: 1 2 4 */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <cmocka.h>
+#include "tests/test.h"
 
 #include "trajectory.h"
 
@@ -133,14 +129,5 @@ static void broken_files_are_refused(void **state) {
     team_finish(team);
 }
 
-int main(int argc, char **argv) {
-    struct team team;
-    team_start(&team, &argc, &argv);
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test_prestate(reads_back, &team),
-        cmocka_unit_test_prestate(reads_foreign_files, &team),
-        cmocka_unit_test_prestate(broken_files_are_refused, &team),
-    };
-    int failed = cmocka_run_group_tests_name("h5md_read", tests, NULL, NULL);
-    return team_stop(&team) || failed;
-}
+TEAM_MAIN(h5md_read, team_case(reads_back), team_case(reads_foreign_files),
+          team_case(broken_files_are_refused))

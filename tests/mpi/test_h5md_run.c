@@ -1,11 +1,7 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* Trajectories over a run: numbers of particles that change, continuation after a resume, contact lists,
  * observables, the XDMF file. Ranks: 1 2 4 */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <cmocka.h>
+#include "tests/test.h"
 
 #include "base/file.h"
 #include "trajectory.h"
@@ -407,21 +403,7 @@ static void contacts_have_room(void **state) {
     team_finish(team);
 }
 
-int main(int argc, char **argv) {
-    struct team team;
-    team_start(&team, &argc, &argv);
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test_prestate(number_may_change, &team),
-        cmocka_unit_test_prestate(fixed_number_is_kept, &team),
-        cmocka_unit_test_prestate(resume_goes_on, &team),
-        cmocka_unit_test_prestate(runs_are_named, &team),
-        cmocka_unit_test_prestate(fixed_file_is_kept, &team),
-        cmocka_unit_test_prestate(contacts_are_listed, &team),
-        cmocka_unit_test_prestate(observables_come_along, &team),
-        cmocka_unit_test_prestate(xdmf_names_what_is_there, &team),
-        cmocka_unit_test_prestate(frames_have_room, &team),
-        cmocka_unit_test_prestate(contacts_have_room, &team),
-    };
-    int failed = cmocka_run_group_tests_name("h5md_run", tests, NULL, NULL);
-    return team_stop(&team) || failed;
-}
+TEAM_MAIN(h5md_run, team_case(number_may_change), team_case(fixed_number_is_kept), team_case(resume_goes_on),
+          team_case(runs_are_named), team_case(fixed_file_is_kept), team_case(contacts_are_listed),
+          team_case(observables_come_along), team_case(xdmf_names_what_is_there), team_case(frames_have_room),
+          team_case(contacts_have_room))

@@ -1,11 +1,7 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* The engine as a library (scree.h): the ranks of a communicator against each rank alone, in a reproducible scene.
  * Ranks: 1 2 */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <cmocka.h>
+#include "tests/test.h"
 
 #include "base/memory.h"
 #include "scree.h"
@@ -347,18 +343,7 @@ static void hard_contacts_feel_the_force_of_the_caller(void **test) {
     team_finish(team);
 }
 
-int main(int argc, char **argv) {
-    struct team team;
-    team_start(&team, &argc, &argv);
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test_prestate(ranks_together_get_what_one_gets_alone, &team),
-        cmocka_unit_test_prestate(a_report_tells_of_the_steps, &team),
-        cmocka_unit_test_prestate(a_checkpoint_goes_on_to_the_bit, &team),
-        cmocka_unit_test_prestate(particles_come_go_and_are_moved, &team),
-        cmocka_unit_test_prestate(stages_follow_each_other_on_all_ranks_alike, &team),
-        cmocka_unit_test_prestate(mistakes_and_guards_are_told, &team),
-        cmocka_unit_test_prestate(hard_contacts_feel_the_force_of_the_caller, &team),
-    };
-    int failed = cmocka_run_group_tests(tests, NULL, NULL);
-    return team_stop(&team) + failed;
-}
+TEAM_MAIN(library, team_case(ranks_together_get_what_one_gets_alone), team_case(a_report_tells_of_the_steps),
+          team_case(a_checkpoint_goes_on_to_the_bit), team_case(particles_come_go_and_are_moved),
+          team_case(stages_follow_each_other_on_all_ranks_alike), team_case(mistakes_and_guards_are_told),
+          team_case(hard_contacts_feel_the_force_of_the_caller))

@@ -2,11 +2,7 @@
 /* Migration from any rank to any rank: no particle is lost, all fields and rows migrate, in a known order.
  * Ranks: 1 2 3 4 8
  * Long: 27 */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <cmocka.h>
+#include "tests/test.h"
 
 #include "cloud.h"
 #include "kernel/comm/ghosts.h"
@@ -288,16 +284,5 @@ static void counts(void **state) {
     team_finish(team);
 }
 
-int main(int argc, char **argv) {
-    struct team team;
-    team_start(&team, &argc, &argv);
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test_prestate(fields_travel, &team),
-        cmocka_unit_test_prestate(all_in_one_place, &team),
-        cmocka_unit_test_prestate(order_of_arrivals, &team),
-        cmocka_unit_test_prestate(rows_travel, &team),
-        cmocka_unit_test_prestate(counts, &team),
-    };
-    int failed = cmocka_run_group_tests(tests, NULL, NULL);
-    return team_stop(&team) + failed;
-}
+TEAM_MAIN(migrate, team_case(fields_travel), team_case(all_in_one_place), team_case(order_of_arrivals),
+          team_case(rows_travel), team_case(counts))

@@ -1,11 +1,7 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* Observables against closed forms and plain sums over the whole cloud, columns and their names, refusals,
  * the file and its continuation. Ranks: 1 2 4 */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <cmocka.h>
+#include "tests/test.h"
 
 #include "observed.h"
 
@@ -277,17 +273,6 @@ static void the_file_goes_on(void **state) {
     team_finish(team);
 }
 
-int main(int argc, char **argv) {
-    struct team team;
-    team_start(&team, &argc, &argv);
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test_prestate(sums_over_particles, &team),
-        cmocka_unit_test_prestate(contacts_and_default, &team),
-        cmocka_unit_test_prestate(one_particle, &team),
-        cmocka_unit_test_prestate(counts_in_regions, &team),
-        cmocka_unit_test_prestate(what_is_unknown_is_refused, &team),
-        cmocka_unit_test_prestate(the_file_goes_on, &team),
-    };
-    int failed = cmocka_run_group_tests_name("observables", tests, NULL, NULL);
-    return team_stop(&team) || failed;
-}
+TEAM_MAIN(observables, team_case(sums_over_particles), team_case(contacts_and_default),
+          team_case(one_particle), team_case(counts_in_regions), team_case(what_is_unknown_is_refused),
+          team_case(the_file_goes_on))

@@ -2,11 +2,7 @@
 /* Steps of an incompressible flow on a lattice against closed forms: Taylor and Green's vortices, the start of
  * Poiseuille's flow, slip.
  * Ranks: 1 */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <cmocka.h>
+#include "tests/test.h"
 
 #include "base/memory.h"
 #include "physics/fluid/operators/surface_forces.h"
@@ -332,16 +328,5 @@ static void steady_flow_is_found(void **state) {
     team_finish(team);
 }
 
-int main(int argc, char **argv) {
-    struct team team;
-    team_start(&team, &argc, &argv);
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test_prestate(taylor_green_is_of_second_order, &team),
-        cmocka_unit_test_prestate(steps_are_of_second_order, &team),
-        cmocka_unit_test_prestate(poiseuille_starts, &team),
-        cmocka_unit_test_prestate(walls_slip, &team),
-        cmocka_unit_test_prestate(steady_flow_is_found, &team),
-    };
-    int failed = cmocka_run_group_tests(tests, NULL, NULL);
-    return team_stop(&team) + failed;
-}
+TEAM_MAIN(projection, team_case(taylor_green_is_of_second_order), team_case(steps_are_of_second_order),
+          team_case(poiseuille_starts), team_case(walls_slip), team_case(steady_flow_is_found))

@@ -1,11 +1,7 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* Connected regions of fluid on a lattice that ranks share, against labels that spread over the whole lattice on each rank.
  * Ranks: 1 2 3 4 8 */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <cmocka.h>
+#include "tests/test.h"
 
 #include "base/memory.h"
 #include "physics/fluid/lattice/regions.h"
@@ -175,14 +171,5 @@ static void without_fluid(void **state) {
     team_finish(team);
 }
 
-int main(int argc, char **argv) {
-    struct team team;
-    team_start(&team, &argc, &argv);
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test_prestate(regions_are_those_of_the_whole, &team),
-        cmocka_unit_test_prestate(a_channel_winds_through_all_ranks, &team),
-        cmocka_unit_test_prestate(without_fluid, &team),
-    };
-    int failed = cmocka_run_group_tests(tests, NULL, NULL);
-    return team_stop(&team) + failed;
-}
+TEAM_MAIN(regions, team_case(regions_are_those_of_the_whole), team_case(a_channel_winds_through_all_ranks),
+          team_case(without_fluid))

@@ -1,11 +1,7 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* Reports, and the progress lines.
  * Ranks: 1 2 4 */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <cmocka.h>
+#include "tests/test.h"
 
 #include "base/memory.h"
 #include "folder.h"
@@ -374,17 +370,6 @@ static void progress_is_quiet_unless_asked(void **state) {
     team_finish(team);
 }
 
-int main(int argc, char **argv) {
-    struct team team;
-    team_start(&team, &argc, &argv);
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test_prestate(getters_make_a_report, &team),
-        cmocka_unit_test_prestate(json_holds_all_keys, &team),
-        cmocka_unit_test_prestate(lines_are_printed, &team),
-        cmocka_unit_test_prestate(a_file_that_does_not_fit_leaves_the_old_one, &team),
-        cmocka_unit_test_prestate(durations, &team),
-        cmocka_unit_test_prestate(progress_is_quiet_unless_asked, &team),
-    };
-    int failed = cmocka_run_group_tests_name("report", tests, NULL, NULL);
-    return team_stop(&team) || failed;
-}
+TEAM_MAIN(report, team_case(getters_make_a_report), team_case(json_holds_all_keys),
+          team_case(lines_are_printed), team_case(a_file_that_does_not_fit_leaves_the_old_one),
+          team_case(durations), team_case(progress_is_quiet_unless_asked))

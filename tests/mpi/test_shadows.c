@@ -4,11 +4,7 @@
  * state of a reference sphere that is never synchronised. The skin is 0, so every step is a rebuild.
  *
  * Ranks: 8 27 Long: 125 343 */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <cmocka.h>
+#include "tests/test.h"
 
 #include "kernel/comm/ghosts.h"
 #include "team.h"
@@ -254,15 +250,5 @@ static void neighbours_refuse(void **state) {
     team_finish(team);
 }
 
-int main(int argc, char **argv) {
-    struct team team;
-    team_start(&team, &argc, &argv);
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test_prestate(through_a_periodic_box, &team),
-        cmocka_unit_test_prestate(through_an_open_box, &team),
-        cmocka_unit_test_prestate(what_is_handed_on_is_not_kept, &team),
-        cmocka_unit_test_prestate(neighbours_refuse, &team),
-    };
-    int failed = cmocka_run_group_tests(tests, NULL, NULL);
-    return team_stop(&team) + failed;
-}
+TEAM_MAIN(shadows, team_case(through_a_periodic_box), team_case(through_an_open_box),
+          team_case(what_is_handed_on_is_not_kept), team_case(neighbours_refuse))

@@ -2,11 +2,7 @@
 /* Pairs in a sheared box, at any offset: each pair of a plain sum over images is found once, by every index, in
  * two and three dimensions, with bricks and bisections; and the skin holds in a box that moves.
  * Ranks: 1 3 8 */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <cmocka.h>
+#include "tests/test.h"
 
 #include "cloud.h"
 #include "kernel/comm/domain_tree.h"
@@ -366,14 +362,4 @@ static void crossing(void **state) {
     team_finish(team);
 }
 
-int main(int argc, char **argv) {
-    struct team team;
-    team_start(&team, &argc, &argv);
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test_prestate(every_index_finds_all, &team),
-        cmocka_unit_test_prestate(skin_holds, &team),
-        cmocka_unit_test_prestate(crossing, &team),
-    };
-    int failed = cmocka_run_group_tests(tests, NULL, NULL);
-    return team_stop(&team) + failed;
-}
+TEAM_MAIN(shear, team_case(every_index_finds_all), team_case(skin_holds), team_case(crossing))

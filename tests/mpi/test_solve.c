@@ -1,11 +1,7 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* Linear systems of lattices: the true residual, computed from the rows, on all preconditioners.
  * Ranks: 1 3 8 */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <cmocka.h>
+#include "tests/test.h"
 
 #include "base/memory.h"
 #include "lattice_matrix.h"
@@ -171,17 +167,5 @@ static void columns_need_not_sum_to_zero(void **state) {
     team_finish(team);
 }
 
-int main(int argc, char **argv) {
-    struct team team;
-    team_start(&team, &argc, &argv);
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test_prestate(periodic_poisson, &team),
-        cmocka_unit_test_prestate(perturbed_poisson, &team),
-        cmocka_unit_test_prestate(two_regions, &team),
-        cmocka_unit_test_prestate(helmholtz, &team),
-        cmocka_unit_test_prestate(iterations_are_flat, &team),
-        cmocka_unit_test_prestate(columns_need_not_sum_to_zero, &team),
-    };
-    int failed = cmocka_run_group_tests(tests, NULL, NULL);
-    return team_stop(&team) + failed;
-}
+TEAM_MAIN(solve, team_case(periodic_poisson), team_case(perturbed_poisson), team_case(two_regions),
+          team_case(helmholtz), team_case(iterations_are_flat), team_case(columns_need_not_sum_to_zero))

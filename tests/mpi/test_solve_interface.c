@@ -2,11 +2,7 @@
 /* Promises of the interface to the linear solvers: new values, preconditioners that are kept, options, operators without a
  * matrix.
  * Ranks: 1 2 4 */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <cmocka.h>
+#include "tests/test.h"
 
 #include "base/memory.h"
 #include "lattice_matrix.h"
@@ -221,15 +217,5 @@ static void without_a_matrix(void **state) {
     team_finish(team);
 }
 
-int main(int argc, char **argv) {
-    struct team team;
-    team_start(&team, &argc, &argv);
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test_prestate(values_are_refilled, &team),
-        cmocka_unit_test_prestate(renewed_counts_anew, &team),
-        cmocka_unit_test_prestate(options_reach_petsc, &team),
-        cmocka_unit_test_prestate(without_a_matrix, &team),
-    };
-    int failed = cmocka_run_group_tests(tests, NULL, NULL);
-    return team_stop(&team) + failed;
-}
+TEAM_MAIN(solve_interface, team_case(values_are_refilled), team_case(renewed_counts_anew),
+          team_case(options_reach_petsc), team_case(without_a_matrix))

@@ -1,11 +1,7 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* The stress against closed forms: in two dimensions, in regions, and in regions without a volume.
  * Ranks: 1 2 4 */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <cmocka.h>
+#include "tests/test.h"
 
 #include "observed.h"
 
@@ -178,15 +174,5 @@ static void stress_wants_a_volume(void **state) {
     }
 }
 
-int main(int argc, char **argv) {
-    struct team team;
-    team_start(&team, &argc, &argv);
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test_prestate(flat_stress, &team),
-        cmocka_unit_test_prestate(stress_of_regions, &team),
-        cmocka_unit_test_prestate(contacts_of_regions, &team),
-        cmocka_unit_test_prestate(stress_wants_a_volume, &team),
-    };
-    int failed = cmocka_run_group_tests_name("stress", tests, NULL, NULL);
-    return team_stop(&team) || failed;
-}
+TEAM_MAIN(stress, team_case(flat_stress), team_case(stress_of_regions), team_case(contacts_of_regions),
+          team_case(stress_wants_a_volume))

@@ -1,72 +1,17 @@
 # SPDX-License-Identifier: BSD-3-Clause
 noinst_LTLIBRARIES += libformats.la
 libformats_la_SOURCES = \
-	src/data/formats/checkpoint.c \
-	src/data/formats/checkpoint.h \
-	src/data/formats/checkpoint_file.c \
-	src/data/formats/checkpoint_file.h \
-	src/data/formats/checkpoint_folder.c \
-	src/data/formats/checkpoint_folder.h \
-	src/data/formats/checkpoint_head.c \
-	src/data/formats/checkpoint_head.h \
-	src/data/formats/checkpoint_io.c \
-	src/data/formats/checkpoint_io.h \
-	src/data/formats/checkpoint_names.c \
-	src/data/formats/checkpoint_names.h \
-	src/data/formats/checkpoint_rows.c \
-	src/data/formats/checkpoint_rows.h \
-	src/data/formats/checkpoint_state.h \
-	src/data/formats/checkpoint_table.c \
-	src/data/formats/checkpoint_table.h \
-	src/data/formats/contact_list.c \
-	src/data/formats/contact_list.h \
-	src/data/formats/convert.c \
-	src/data/formats/convert.h \
-	src/data/formats/dump.c \
-	src/data/formats/dump.h \
-	src/data/formats/dump_read.c \
-	src/data/formats/frame.c \
-	src/data/formats/frame.h \
-	src/data/formats/frame_rows.c \
-	src/data/formats/h5.c \
-	src/data/formats/h5.h \
-	src/data/formats/h5_data.c \
-	src/data/formats/h5_watch.c \
-	src/data/formats/h5_watch.h \
-	src/data/formats/h5md.c \
-	src/data/formats/h5md.h \
-	src/data/formats/h5md_contacts.c \
-	src/data/formats/h5md_contacts.h \
-	src/data/formats/h5md_element.c \
-	src/data/formats/h5md_element.h \
-	src/data/formats/h5md_file.c \
-	src/data/formats/h5md_file.h \
-	src/data/formats/h5md_frame.c \
-	src/data/formats/h5md_frame.h \
-	src/data/formats/h5md_head.c \
-	src/data/formats/h5md_head.h \
-	src/data/formats/h5md_observables.c \
-	src/data/formats/h5md_observables.h \
-	src/data/formats/h5md_read.c \
-	src/data/formats/h5md_read.h \
-	src/data/formats/h5md_resume.c \
-	src/data/formats/h5md_resume.h \
-	src/data/formats/info.c \
-	src/data/formats/info.h \
-	src/data/formats/lammps_data.c \
-	src/data/formats/lammps_data.h \
-	src/data/formats/lineage.c \
-	src/data/formats/lineage.h \
-	src/data/formats/output.h \
-	src/data/formats/output_options.c \
-	src/data/formats/output_options.h \
-	src/data/formats/restart.c \
-	src/data/formats/restart.h \
-	src/data/formats/rows.c \
-	src/data/formats/rows.h \
-	src/data/formats/wall_frames.c \
-	src/data/formats/wall_frames.h \
-	src/data/formats/xdmf.c \
-	src/data/formats/xdmf.h
-libformats_la_CPPFLAGS = $(AM_CPPFLAGS) $(HDF5_CFLAGS) $(MPI_CFLAGS) $(ZLIB_CFLAGS)
+	%D%/checkpoint.c %D%/checkpoint_file.c %D%/checkpoint_folder.c %D%/checkpoint_head.c %D%/checkpoint_io.c \
+	%D%/checkpoint_names.c %D%/checkpoint_rows.c %D%/checkpoint_table.c %D%/contact_list.c %D%/convert.c \
+	%D%/dump.c %D%/dump_read.c %D%/frame.c %D%/frame_rows.c %D%/h5.c %D%/h5_data.c %D%/h5_watch.c %D%/h5md.c \
+	%D%/h5md_contacts.c %D%/h5md_element.c %D%/h5md_file.c %D%/h5md_frame.c %D%/h5md_head.c \
+	%D%/h5md_observables.c %D%/h5md_read.c %D%/h5md_resume.c %D%/info.c %D%/lammps_data.c %D%/lineage.c \
+	%D%/output_options.c %D%/restart.c %D%/rows.c %D%/wall_frames.c %D%/xdmf.c %D%/checkpoint.h \
+	%D%/checkpoint_file.h %D%/checkpoint_folder.h %D%/checkpoint_head.h %D%/checkpoint_io.h \
+	%D%/checkpoint_names.h %D%/checkpoint_rows.h %D%/checkpoint_state.h %D%/checkpoint_table.h \
+	%D%/contact_list.h %D%/convert.h %D%/dump.h %D%/frame.h %D%/h5.h %D%/h5_watch.h %D%/h5md.h \
+	%D%/h5md_contacts.h %D%/h5md_element.h %D%/h5md_file.h %D%/h5md_frame.h %D%/h5md_head.h \
+	%D%/h5md_observables.h %D%/h5md_read.h %D%/h5md_resume.h %D%/info.h %D%/lammps_data.h %D%/lineage.h \
+	%D%/output.h %D%/output_options.h %D%/restart.h %D%/rows.h %D%/wall_frames.h %D%/xdmf.h
+libformats_la_CPPFLAGS = $(AM_CPPFLAGS) $(ZLIB_CFLAGS)
 libformats_la_LIBADD = $(HDF5_LIBS)

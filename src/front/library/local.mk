@@ -1,23 +1,13 @@
 # SPDX-License-Identifier: BSD-3-Clause
 # The libraries for other codes export what their map lists alone; the program is a main that calls scree_main.
 noinst_LTLIBRARIES += libsearch.la libcalls.la
-libsearch_la_SOURCES = src/front/library/scree_pairs.c src/scree_pairs.h
+libsearch_la_SOURCES = %D%/scree_pairs.c src/scree_pairs.h
 libcalls_la_SOURCES = \
-	src/front/library/scree_fields.c \
-	src/front/library/scree_observe.c \
-	src/front/library/scree_observe.h \
-	src/front/library/scree_parts.c \
-	src/front/library/scree_parts.h \
-	src/front/library/scree_report.c \
-	src/front/library/scree_report.h \
-	src/front/library/scree_simulation.c \
-	src/front/library/scree_stages.c \
-	src/front/library/scree_stages.h \
-	src/scree.h
-libcalls_la_CPPFLAGS = $(AM_CPPFLAGS) $(MPI_CFLAGS)
+	%D%/scree_fields.c %D%/scree_observe.c %D%/scree_parts.c %D%/scree_report.c %D%/scree_simulation.c \
+	%D%/scree_stages.c %D%/scree_observe.h %D%/scree_parts.h %D%/scree_report.h %D%/scree_stages.h src/scree.h
 
 include_HEADERS += src/scree.h src/scree_pairs.h
-EXTRA_DIST += src/front/library/libscree.map src/front/library/libscree-index.map
+EXTRA_DIST += %D%/libscree-index.map %D%/libscree.map
 
 lib_LTLIBRARIES += libscree.la libscree-index.la
 libscree_la_SOURCES =

@@ -1,54 +1,17 @@
 # SPDX-License-Identifier: BSD-3-Clause
 noinst_LTLIBRARIES += libapp.la
 libapp_la_SOURCES = \
-	src/front/program/ablate.c \
-	src/front/program/ablate.h \
-	src/front/program/ablate_error.c \
-	src/front/program/ablate_error.h \
-	src/front/program/ablate_run.c \
-	src/front/program/ablate_run.h \
-	src/front/program/check.c \
-	src/front/program/check.h \
-	src/front/program/check_parts.c \
-	src/front/program/check_parts.h \
-	src/front/program/run_cost.c \
-	src/front/program/run_cost.h \
-	src/front/program/command.c \
-	src/front/program/command.h \
-	src/front/program/command_line.c \
-	src/front/program/command_line.h \
-	src/front/program/layout.c \
-	src/front/program/layout.h \
-	src/front/program/lookup.c \
-	src/front/program/lookup.h \
-	src/front/program/manual.c \
-	src/front/program/manual.h \
-	src/front/program/command_pack.c \
-	src/front/program/command_pack.h \
-	src/front/program/pack_settle.c \
-	src/front/program/pack_settle.h \
-	src/front/program/page.c \
-	src/front/program/page.h \
-	src/front/program/command_picture.c \
-	src/front/program/command_picture.h \
-	src/front/program/scree_main.c \
-	src/front/program/sample.c \
-	src/front/program/sample.h \
-	src/front/program/speed_error.c \
-	src/front/program/speed_error.h \
-	src/front/program/speed_plot.c \
-	src/front/program/speed_plot.h \
-	src/front/program/speed_write.c \
-	src/front/program/step_study.c \
-	src/front/program/step_study.h \
-	src/front/program/trial.c \
-	src/front/program/trial.h \
-	src/front/program/variant.c \
-	src/front/program/variant.h
-libapp_la_CPPFLAGS = $(AM_CPPFLAGS) $(MPI_CFLAGS) -DSCREE_PAGE_FOLDER='"$(pagedir)"'
+	%D%/ablate.c %D%/ablate_error.c %D%/ablate_run.c %D%/check.c %D%/check_parts.c %D%/command.c \
+	%D%/command_line.c %D%/command_pack.c %D%/command_picture.c %D%/layout.c %D%/lookup.c %D%/manual.c \
+	%D%/pack_settle.c %D%/page.c %D%/run_cost.c %D%/sample.c %D%/scree_main.c %D%/speed_error.c %D%/speed_plot.c \
+	%D%/speed_write.c %D%/step_study.c %D%/trial.c %D%/variant.c %D%/ablate.h %D%/ablate_error.h \
+	%D%/ablate_run.h %D%/check.h %D%/check_parts.h %D%/command.h %D%/command_line.h %D%/command_pack.h \
+	%D%/command_picture.h %D%/layout.h %D%/lookup.h %D%/manual.h %D%/pack_settle.h %D%/page.h %D%/run_cost.h \
+	%D%/sample.h %D%/speed_error.h %D%/speed_plot.h %D%/step_study.h %D%/trial.h %D%/variant.h
+libapp_la_CPPFLAGS = $(AM_CPPFLAGS) -DSCREE_PAGE_FOLDER='"$(pagedir)"'
 
 bin_PROGRAMS += scree
-scree_SOURCES = src/front/program/main.c
+scree_SOURCES = %D%/main.c
 scree_LDADD = $(APP_LIBS)
 
 # The manual page and the completions of bash, zsh and fish, which the program writes from its tables

@@ -2,7 +2,7 @@
 # The Python package: copied, with the headers, to build/python, where PYTHONPATH finds it. It needs no compiler.
 python_files = __init__.py _library.py _scene.py _search.py _simulation.py
 python_sources = $(python_files:%=src/front/python/scree/%) src/scree.h src/scree_pairs.h
-EXTRA_DIST += $(python_files:%=src/front/python/scree/%) pyproject.toml src/front/python/build_package.py
+EXTRA_DIST += pyproject.toml %D%/build_package.py $(python_files:%=src/front/python/scree/%)
 
 all-local: python/scree/copied
 python/scree/copied: $(python_sources)

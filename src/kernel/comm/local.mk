@@ -1,30 +1,17 @@
 # SPDX-License-Identifier: BSD-3-Clause
 noinst_LTLIBRARIES += libcomm.la
 libcomm_la_SOURCES = \
-	src/kernel/comm/balance.h \
-	src/kernel/comm/alone.c src/kernel/comm/alone.h \
-	src/kernel/comm/comm.c src/kernel/comm/comm.h \
-	src/kernel/comm/copies.c src/kernel/comm/copies.h \
-	src/kernel/comm/cores.c src/kernel/comm/cores.h \
-	src/kernel/comm/domain.c src/kernel/comm/domain.h \
-	src/kernel/comm/domain_grid.c src/kernel/comm/domain_grid.h \
-	src/kernel/comm/domain_tree.c src/kernel/comm/domain_tree.h \
-	src/kernel/comm/exchange.c src/kernel/comm/exchange.h \
-	src/kernel/comm/ghosts.c src/kernel/comm/ghosts.h src/kernel/comm/ghosts_parts.h \
-	src/kernel/comm/ghosts_count.c \
-	src/kernel/comm/ghosts_stay.c \
-	src/kernel/comm/ghosts_used.c \
-	src/kernel/comm/ghosts_part.c src/kernel/comm/ghosts_part.h \
-	src/kernel/comm/rank_groups.c src/kernel/comm/rank_groups.h \
-	src/kernel/comm/migrate.c src/kernel/comm/migrate.h \
-	src/kernel/comm/shadows.c src/kernel/comm/shadows.h \
-	src/kernel/comm/files.c src/kernel/comm/files.h
-libcomm_la_CPPFLAGS = $(AM_CPPFLAGS) $(MPI_CFLAGS)
+	%D%/alone.c %D%/comm.c %D%/copies.c %D%/cores.c %D%/domain.c %D%/domain_grid.c %D%/domain_tree.c \
+	%D%/exchange.c %D%/files.c %D%/ghosts.c %D%/ghosts_count.c %D%/ghosts_part.c %D%/ghosts_stay.c \
+	%D%/ghosts_used.c %D%/migrate.c %D%/rank_groups.c %D%/shadows.c %D%/alone.h %D%/balance.h %D%/comm.h \
+	%D%/copies.h %D%/cores.h %D%/domain.h %D%/domain_grid.h %D%/domain_tree.h %D%/exchange.h %D%/files.h \
+	%D%/ghosts.h %D%/ghosts_part.h %D%/ghosts_parts.h %D%/migrate.h %D%/rank_groups.h %D%/shadows.h
+libcomm_la_CPPFLAGS = $(AM_CPPFLAGS)
 libcomm_la_LIBADD = $(MPI_LIBS)
 if HAVE_ZOLTAN
-libcomm_la_SOURCES += src/kernel/comm/balance_zoltan.c
+libcomm_la_SOURCES += %D%/balance_zoltan.c
 libcomm_la_CPPFLAGS += $(ZOLTAN_CFLAGS)
 libcomm_la_LIBADD += $(ZOLTAN_LIBS)
 else
-libcomm_la_SOURCES += src/kernel/comm/balance_none.c
+libcomm_la_SOURCES += %D%/balance_none.c
 endif

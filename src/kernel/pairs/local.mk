@@ -1,32 +1,17 @@
 # SPDX-License-Identifier: BSD-3-Clause
 noinst_LTLIBRARIES += libpairs.la
 libpairs_la_SOURCES = \
-	src/kernel/pairs/classes_choose.c src/kernel/pairs/classes_choose.h \
-	src/kernel/pairs/history.c src/kernel/pairs/history.h \
-	src/kernel/pairs/history_follow.c src/kernel/pairs/history_follow.h \
-	src/kernel/pairs/history_keep.c src/kernel/pairs/history_keep.h \
-	src/kernel/pairs/history_rows.c src/kernel/pairs/history_rows.h \
-	src/kernel/pairs/interaction.c src/kernel/pairs/interaction.h \
-	src/kernel/pairs/pairlist.c src/kernel/pairs/pairlist.h \
-	src/kernel/pairs/pairlist_blocks.c \
-	src/kernel/pairs/pairlist_build.c src/kernel/pairs/pairlist_build.h \
-	src/kernel/pairs/pairlist_shares.c \
-	src/kernel/pairs/ring.c src/kernel/pairs/ring.h \
-	src/kernel/pairs/skin.c src/kernel/pairs/skin.h \
-	src/kernel/pairs/skin_choice.c src/kernel/pairs/skin_choice.h \
-	src/kernel/pairs/sweep.c src/kernel/pairs/sweep.h \
-	src/kernel/pairs/walk.c src/kernel/pairs/walk.h \
-	src/kernel/pairs/walk_filter.h \
-	src/kernel/pairs/walk_four.h \
-	src/kernel/pairs/walk_history.h \
-	src/kernel/pairs/walk_kernel.h \
-	src/kernel/pairs/walk_kernels.c \
-	src/kernel/pairs/walk_ordered.c src/kernel/pairs/walk_ordered.h
+	%D%/classes_choose.c %D%/history.c %D%/history_follow.c %D%/history_keep.c %D%/history_rows.c \
+	%D%/interaction.c %D%/pairlist.c %D%/pairlist_blocks.c %D%/pairlist_build.c %D%/pairlist_shares.c %D%/ring.c \
+	%D%/skin.c %D%/skin_choice.c %D%/sweep.c %D%/walk.c %D%/walk_kernels.c %D%/walk_ordered.c \
+	%D%/classes_choose.h %D%/history.h %D%/history_follow.h %D%/history_keep.h %D%/history_rows.h \
+	%D%/interaction.h %D%/pairlist.h %D%/pairlist_build.h %D%/ring.h %D%/skin.h %D%/skin_choice.h %D%/sweep.h \
+	%D%/walk.h %D%/walk_filter.h %D%/walk_four.h %D%/walk_history.h %D%/walk_kernel.h %D%/walk_ordered.h
 libpairs_la_CPPFLAGS = $(AM_CPPFLAGS) $(KERNEL_CPPFLAGS)
 libpairs_la_LIBADD = libwalk_baseline.la
 
 # The stages of the walk, once for each instruction set
-WALK_SOURCES = src/kernel/pairs/walk_block.c
+WALK_SOURCES = %D%/walk_block.c
 noinst_LTLIBRARIES += libwalk_baseline.la
 libwalk_baseline_la_SOURCES = $(WALK_SOURCES)
 libwalk_baseline_la_CFLAGS = $(KERNEL_CFLAGS)

@@ -1,15 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
 noinst_LTLIBRARIES += libbonds.la
 libbonds_la_SOURCES = \
-	src/physics/bonds/bond.c \
-	src/physics/bonds/bond.h \
-	src/physics/bonds/bonds.h \
-	src/physics/bonds/bonds_rows.c \
-	src/physics/bonds/bonds_fields.c \
-	src/physics/bonds/bonds_links.c \
-	src/physics/bonds/make.c \
-	src/physics/bonds/bonds_physics.c \
-	src/physics/bonds/bonds_state.h \
-	src/physics/bonds/bonds_table.c
-libbonds_la_CPPFLAGS = $(AM_CPPFLAGS) $(MPI_CFLAGS)
+	%D%/bond.c %D%/bonds_fields.c %D%/bonds_links.c %D%/bonds_physics.c %D%/bonds_rows.c %D%/bonds_table.c \
+	%D%/make.c %D%/bond.h %D%/bonds.h %D%/bonds_state.h
 PHYSICS_LIBS += libbonds.la

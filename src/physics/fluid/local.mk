@@ -1,122 +1,35 @@
 # SPDX-License-Identifier: BSD-3-Clause
 noinst_LTLIBRARIES += libfluid.la
 libfluid_la_SOURCES = \
-	src/physics/fluid/carried/applied_field.c \
-	src/physics/fluid/carried/applied_field.h \
-	src/physics/fluid/lattice/arrangement.c \
-	src/physics/fluid/lattice/arrangement.h \
-	src/physics/fluid/operators/assembly.c \
-	src/physics/fluid/operators/assembly.h \
-	src/physics/fluid/lattice/body_surfaces.c \
-	src/physics/fluid/lattice/body_surfaces.h \
-	src/physics/fluid/coupling/grain_coupling.c src/physics/fluid/coupling/grain_coupling.h \
-	src/physics/fluid/coupling/surface_loads.c \
-	src/physics/fluid/coupling/surface_loads.h \
-	src/physics/fluid/schemes/flow_drive.c \
-	src/physics/fluid/schemes/flow_drive.h \
-	src/physics/fluid/coupling/unresolved_grains.c \
-	src/physics/fluid/coupling/unresolved_grains.h \
-	src/physics/fluid/carried/electrolyte.c \
-	src/physics/fluid/carried/electrolyte.h \
-	src/physics/fluid/carried/electrolyte_fields.c \
-	src/physics/fluid/carried/electrolyte_fields.h \
-	src/physics/fluid/carried/electrolyte_rows.c \
-	src/physics/fluid/carried/electrolyte_rows.h \
-	src/physics/fluid/lattice/surface_feet.c \
-	src/physics/fluid/lattice/surface_feet.h \
-	src/physics/fluid/fluid_fields.c \
-	src/physics/fluid/fluid_fields.h \
-	src/physics/fluid/lattice/lattice_fill.c \
-	src/physics/fluid/lattice/lattice_fill.h \
-	src/physics/fluid/lattice/lattice_fill_open.c \
-	src/physics/fluid/lattice/lattice_fill_open.h \
-	src/physics/fluid/schemes/flow.c \
-	src/physics/fluid/schemes/flow.h \
-	src/physics/fluid/schemes/flow_fields.c \
-	src/physics/fluid/schemes/flow_fields.h \
-	src/physics/fluid/fluid.c \
-	src/physics/fluid/fluid.h \
-	src/physics/fluid/fluid_rows.c \
-	src/physics/fluid/operators/neighbour_fluxes.c \
-	src/physics/fluid/operators/neighbour_fluxes.h \
-	src/physics/fluid/operators/surface_forces.c \
-	src/physics/fluid/operators/surface_forces.h \
-	src/physics/fluid/lattice/narrow_gaps.c \
-	src/physics/fluid/lattice/narrow_gaps.h \
-	src/physics/fluid/schemes/boundary_values.c \
-	src/physics/fluid/schemes/boundary_values.h \
-	src/physics/fluid/coupling/coupled_solve.c src/physics/fluid/coupling/coupled_solve.h \
-	src/physics/fluid/operators/kernel.c \
-	src/physics/fluid/operators/kernel.h \
-	src/physics/fluid/carried/layer.c \
-	src/physics/fluid/carried/layer.h \
-	src/physics/fluid/carried/scalar_links.c \
-	src/physics/fluid/carried/scalar_links.h \
-	src/physics/fluid/flow_output.c \
-	src/physics/fluid/flow_output.h \
-	src/physics/fluid/schemes/flow_loss.c \
-	src/physics/fluid/schemes/flow_loss.h \
-	src/physics/fluid/schemes/fluid_passes.c \
-	src/physics/fluid/schemes/fluid_passes.h \
-	src/physics/fluid/lattice/surface_marks.c \
-	src/physics/fluid/lattice/surface_marks.h \
-	src/physics/fluid/lattice/mirror.c \
-	src/physics/fluid/lattice/mirror.h \
-	src/physics/fluid/operators/mls.c \
-	src/physics/fluid/operators/mls.h \
-	src/physics/fluid/schemes/momentum.c \
-	src/physics/fluid/schemes/momentum.h \
-	src/physics/fluid/schemes/fluid_motion.c \
-	src/physics/fluid/schemes/fluid_motion.h \
-	src/physics/fluid/lattice/nodes.c \
-	src/physics/fluid/lattice/nodes.h \
-	src/physics/fluid/schemes/open_sides.c \
-	src/physics/fluid/schemes/open_sides.h \
-	src/physics/fluid/operators/operators.c \
-	src/physics/fluid/operators/operators.h \
-	src/physics/fluid/schemes/moving_step.c \
-	src/physics/fluid/schemes/moving_step.h \
-	src/physics/fluid/lattice/pattern.c \
-	src/physics/fluid/lattice/pattern.h \
-	src/physics/fluid/fluid_physics.c \
-	src/physics/fluid/schemes/pressure.c \
-	src/physics/fluid/schemes/pressure.h \
-	src/physics/fluid/schemes/projection.c \
-	src/physics/fluid/schemes/projection.h \
-	src/physics/fluid/schemes/projection_parts.h \
-	src/physics/fluid/lattice/regions.c \
-	src/physics/fluid/lattice/regions.h \
-	src/physics/fluid/schemes/residual.c \
-	src/physics/fluid/schemes/residual.h \
-	src/physics/fluid/coupling/boundary_motion.c \
-	src/physics/fluid/coupling/boundary_motion.h \
-	src/physics/fluid/carried/scalars.c \
-	src/physics/fluid/carried/scalars.h \
-	src/physics/fluid/carried/scalars_fields.c \
-	src/physics/fluid/carried/scalars_fields.h \
-	src/physics/fluid/carried/scalars_rows.c \
-	src/physics/fluid/carried/scalars_rows.h \
-	src/physics/fluid/schemes/schur.c \
-	src/physics/fluid/schemes/schur.h \
-	src/physics/fluid/carried/shares.c \
-	src/physics/fluid/carried/shares.h \
-	src/physics/fluid/schemes/particle_shift.c \
-	src/physics/fluid/schemes/particle_shift.h \
-	src/physics/fluid/observe_flow.c \
-	src/physics/fluid/observe_flow.h \
-	src/physics/fluid/observe_drag.c \
-	src/physics/fluid/carried/observe_scalars.c \
-	src/physics/fluid/fluid_state.h \
-	src/physics/fluid/schemes/steady.c \
-	src/physics/fluid/schemes/steady.h \
-	src/physics/fluid/operators/correction_tensors.c \
-	src/physics/fluid/operators/correction_tensors.h \
-	src/physics/fluid/schemes/solver_watch.c \
-	src/physics/fluid/schemes/solver_watch.h \
-	src/physics/fluid/operators/weights.c \
-	src/physics/fluid/operators/weights.h \
-	src/physics/fluid/operators/gradient_correction.c \
-	src/physics/fluid/operators/gradient_correction.h
-libfluid_la_CPPFLAGS = $(AM_CPPFLAGS) $(MPI_CFLAGS)
+	%D%/carried/applied_field.c %D%/carried/electrolyte.c %D%/carried/electrolyte_fields.c \
+	%D%/carried/electrolyte_rows.c %D%/carried/layer.c %D%/carried/observe_scalars.c %D%/carried/scalar_links.c \
+	%D%/carried/scalars.c %D%/carried/scalars_fields.c %D%/carried/scalars_rows.c %D%/carried/shares.c \
+	%D%/coupling/boundary_motion.c %D%/coupling/coupled_solve.c %D%/coupling/grain_coupling.c \
+	%D%/coupling/surface_loads.c %D%/coupling/unresolved_grains.c %D%/flow_output.c %D%/fluid.c \
+	%D%/fluid_fields.c %D%/fluid_physics.c %D%/fluid_rows.c %D%/lattice/arrangement.c \
+	%D%/lattice/body_surfaces.c %D%/lattice/lattice_fill.c %D%/lattice/lattice_fill_open.c %D%/lattice/mirror.c \
+	%D%/lattice/narrow_gaps.c %D%/lattice/nodes.c %D%/lattice/pattern.c %D%/lattice/regions.c \
+	%D%/lattice/surface_feet.c %D%/lattice/surface_marks.c %D%/observe_drag.c %D%/observe_flow.c \
+	%D%/operators/assembly.c %D%/operators/correction_tensors.c %D%/operators/gradient_correction.c \
+	%D%/operators/kernel.c %D%/operators/mls.c %D%/operators/neighbour_fluxes.c %D%/operators/operators.c \
+	%D%/operators/surface_forces.c %D%/operators/weights.c %D%/schemes/boundary_values.c %D%/schemes/flow.c \
+	%D%/schemes/flow_drive.c %D%/schemes/flow_fields.c %D%/schemes/flow_loss.c %D%/schemes/fluid_motion.c \
+	%D%/schemes/fluid_passes.c %D%/schemes/momentum.c %D%/schemes/moving_step.c %D%/schemes/open_sides.c \
+	%D%/schemes/particle_shift.c %D%/schemes/pressure.c %D%/schemes/projection.c %D%/schemes/residual.c \
+	%D%/schemes/schur.c %D%/schemes/solver_watch.c %D%/schemes/steady.c %D%/carried/applied_field.h \
+	%D%/carried/electrolyte.h %D%/carried/electrolyte_fields.h %D%/carried/electrolyte_rows.h \
+	%D%/carried/layer.h %D%/carried/scalar_links.h %D%/carried/scalars.h %D%/carried/scalars_fields.h \
+	%D%/carried/scalars_rows.h %D%/carried/shares.h %D%/coupling/boundary_motion.h %D%/coupling/coupled_solve.h \
+	%D%/coupling/grain_coupling.h %D%/coupling/surface_loads.h %D%/coupling/unresolved_grains.h \
+	%D%/flow_output.h %D%/fluid.h %D%/fluid_fields.h %D%/fluid_state.h %D%/lattice/arrangement.h \
+	%D%/lattice/body_surfaces.h %D%/lattice/lattice_fill.h %D%/lattice/lattice_fill_open.h %D%/lattice/mirror.h \
+	%D%/lattice/narrow_gaps.h %D%/lattice/nodes.h %D%/lattice/pattern.h %D%/lattice/regions.h \
+	%D%/lattice/surface_feet.h %D%/lattice/surface_marks.h %D%/observe_flow.h %D%/operators/assembly.h \
+	%D%/operators/correction_tensors.h %D%/operators/gradient_correction.h %D%/operators/kernel.h \
+	%D%/operators/mls.h %D%/operators/neighbour_fluxes.h %D%/operators/operators.h \
+	%D%/operators/surface_forces.h %D%/operators/weights.h %D%/schemes/boundary_values.h %D%/schemes/flow.h \
+	%D%/schemes/flow_drive.h %D%/schemes/flow_fields.h %D%/schemes/flow_loss.h %D%/schemes/fluid_motion.h \
+	%D%/schemes/fluid_passes.h %D%/schemes/momentum.h %D%/schemes/moving_step.h %D%/schemes/open_sides.h \
+	%D%/schemes/particle_shift.h %D%/schemes/pressure.h %D%/schemes/projection.h %D%/schemes/projection_parts.h \
+	%D%/schemes/residual.h %D%/schemes/schur.h %D%/schemes/solver_watch.h %D%/schemes/steady.h
 PHYSICS_LIBS += libfluid.la libsolve.la
-FLUID_LIBS = libfluid.la $(SOLVE_LIBS)

@@ -1,16 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
 noinst_LTLIBRARIES += libheat.la
 libheat_la_SOURCES = \
-	src/physics/heat/heat_conduct.c \
-	src/physics/heat/heat_fields.c \
-	src/physics/heat/heat_fields.h \
-	src/physics/heat/heat_physics.c \
-	src/physics/heat/heat.h \
-	src/physics/heat/heat_own.h \
-	src/physics/heat/heat_rows.c \
-	src/physics/heat/heat_state.h \
-	src/physics/heat/heat_walls.c \
-	src/physics/heat/heat_work.c \
-	src/physics/heat/heat_work.h
-libheat_la_CPPFLAGS = $(AM_CPPFLAGS) $(MPI_CFLAGS)
+	%D%/heat_conduct.c %D%/heat_fields.c %D%/heat_physics.c %D%/heat_rows.c %D%/heat_walls.c %D%/heat_work.c \
+	%D%/heat.h %D%/heat_fields.h %D%/heat_own.h %D%/heat_state.h %D%/heat_work.h
 PHYSICS_LIBS += libheat.la

@@ -1,54 +1,20 @@
 # SPDX-License-Identifier: BSD-3-Clause
 noinst_LTLIBRARIES += libcontact.la
 libcontact_la_SOURCES = \
-	src/physics/grains/batch/force.c \
-	src/physics/grains/batch/force.h \
-	src/physics/grains/batch/force_account.h \
-	src/physics/grains/batch/force_contacts.c \
-	src/physics/grains/batch/force_general.c \
-	src/physics/grains/batch/force_general.h \
-	src/physics/grains/batch/force_grip.h \
-	src/physics/grains/batch/force_kernel.h \
-	src/physics/grains/batch/force_physics.h \
-	src/physics/grains/laws/law.c \
-	src/physics/grains/laws/law.h \
-	src/physics/grains/laws/law_check.c \
-	src/physics/grains/laws/law_cohesion.c \
-	src/physics/grains/laws/law_cohesion.h \
-	src/physics/grains/laws/law_eepa.h \
-	src/physics/grains/laws/law_custom.h \
-	src/physics/grains/laws/law_form.h \
-	src/physics/grains/laws/law_general.c \
-	src/physics/grains/laws/law_general.h \
-	src/physics/grains/laws/law_hertz.h \
-	src/physics/grains/laws/law_hooke.h \
-	src/physics/grains/laws/law_grip.c \
-	src/physics/grains/laws/law_grip.h \
-	src/physics/grains/laws/law_kernel.h \
-	src/physics/grains/laws/law_luding.h \
-	src/physics/grains/laws/law_part.h \
-	src/physics/grains/laws/law_parts.c \
-	src/physics/grains/laws/law_parts.h \
-	src/physics/grains/laws/law_resist.c \
-	src/physics/grains/laws/law_resist.h \
-	src/physics/grains/laws/law_rigid.h \
-	src/physics/grains/laws/law_root.h \
-	src/physics/grains/laws/law_restitution.c \
-	src/physics/grains/laws/law_restitution.h \
-	src/physics/grains/laws/law_table.c \
-	src/physics/grains/laws/law_spring.h \
-	src/physics/grains/laws/law_springs.c \
-	src/physics/grains/laws/law_user.c \
-	src/physics/grains/laws/law_user.h \
-	src/physics/grains/laws/law_spheres.h \
-	src/physics/grains/laws/law_vector.h \
-	src/physics/grains/laws/law_table.h \
-	src/physics/grains/laws/law_thornton.h
+	src/physics/grains/batch/force.c src/physics/grains/batch/force_contacts.c \
+	src/physics/grains/batch/force_general.c %D%/law.c %D%/law_check.c %D%/law_cohesion.c %D%/law_general.c \
+	%D%/law_grip.c %D%/law_parts.c %D%/law_resist.c %D%/law_restitution.c %D%/law_springs.c %D%/law_table.c \
+	%D%/law_user.c src/physics/grains/batch/force.h src/physics/grains/batch/force_account.h \
+	src/physics/grains/batch/force_general.h src/physics/grains/batch/force_grip.h \
+	src/physics/grains/batch/force_kernel.h src/physics/grains/batch/force_physics.h %D%/law.h \
+	%D%/law_cohesion.h %D%/law_custom.h %D%/law_eepa.h %D%/law_form.h %D%/law_general.h %D%/law_grip.h \
+	%D%/law_hertz.h %D%/law_hooke.h %D%/law_kernel.h %D%/law_luding.h %D%/law_part.h %D%/law_parts.h \
+	%D%/law_resist.h %D%/law_restitution.h %D%/law_rigid.h %D%/law_root.h %D%/law_spheres.h %D%/law_spring.h \
+	%D%/law_table.h %D%/law_thornton.h %D%/law_user.h %D%/law_vector.h
+# One header a part: a new one needs no line
+EXTRA_DIST += %D%/parts
 libcontact_la_CPPFLAGS = $(AM_CPPFLAGS) $(KERNEL_CPPFLAGS)
 libcontact_la_LIBADD = libforce_baseline.la
-
-# The folder has a header a part: a new one needs no line here
-EXTRA_DIST += src/physics/grains/laws/parts
 
 # A law of the user's is compiled against the text of this header
 include_HEADERS += src/physics/grains/laws/scree_law.h

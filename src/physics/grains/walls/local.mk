@@ -1,41 +1,9 @@
 # SPDX-License-Identifier: BSD-3-Clause
 noinst_LTLIBRARIES += libwalls.la
 libwalls_la_SOURCES = \
-	src/physics/grains/walls/mesh.c \
-	src/physics/grains/walls/mesh.h \
-	src/physics/grains/walls/mesh_obj.c \
-	src/physics/grains/walls/mesh_ply.c \
-	src/physics/grains/walls/mesh_polygon.c \
-	src/physics/grains/walls/mesh_shape.c \
-	src/physics/grains/walls/mesh_shape.h \
-	src/physics/grains/walls/mesh_stl.c \
-	src/physics/grains/walls/wall.h \
-	src/physics/grains/walls/wall_area.c \
-	src/physics/grains/walls/wall_area.h \
-	src/physics/grains/walls/wall_grid.c \
-	src/physics/grains/walls/wall_grid.h \
-	src/physics/grains/walls/wall_inside.c \
-	src/physics/grains/walls/wall_inside.h \
-	src/physics/grains/walls/wall_mesh.c \
-	src/physics/grains/walls/wall_mesh.h \
-	src/physics/grains/walls/wall_motion.c \
-	src/physics/grains/walls/wall_motion.h \
-	src/physics/grains/walls/wall_patch.c \
-	src/physics/grains/walls/wall_surface.c \
-	src/physics/grains/walls/wall_touch.c \
-	src/physics/grains/walls/wall_touch.h \
-	src/physics/grains/walls/walls.c \
-	src/physics/grains/walls/walls_displacement.c \
-	src/physics/grains/walls/walls_foot.c \
-	src/physics/grains/walls/walls_force.c \
-	src/physics/grains/walls/walls_history.c \
-	src/physics/grains/walls/walls_history.h \
-	src/physics/grains/walls/walls_near.c \
-	src/physics/grains/walls/walls_near.h \
-	src/physics/grains/walls/walls_overlap.c \
-	src/physics/grains/walls/walls_parts.h \
-	src/physics/grains/walls/walls_pose.c \
-	src/physics/grains/walls/walls_sums.c \
-	src/physics/grains/walls/walls_visit.c \
-	src/physics/grains/walls/walls_touch.c \
-	src/physics/grains/walls/walls_touch.h
+	%D%/mesh.c %D%/mesh_obj.c %D%/mesh_ply.c %D%/mesh_polygon.c %D%/mesh_shape.c %D%/mesh_stl.c %D%/wall_area.c \
+	%D%/wall_grid.c %D%/wall_inside.c %D%/wall_mesh.c %D%/wall_motion.c %D%/wall_patch.c %D%/wall_surface.c \
+	%D%/wall_touch.c %D%/walls.c %D%/walls_displacement.c %D%/walls_foot.c %D%/walls_force.c %D%/walls_history.c \
+	%D%/walls_near.c %D%/walls_overlap.c %D%/walls_pose.c %D%/walls_sums.c %D%/walls_touch.c %D%/walls_visit.c \
+	%D%/mesh.h %D%/mesh_shape.h %D%/wall.h %D%/wall_area.h %D%/wall_grid.h %D%/wall_inside.h %D%/wall_mesh.h \
+	%D%/wall_motion.h %D%/wall_touch.h %D%/walls_history.h %D%/walls_near.h %D%/walls_parts.h %D%/walls_touch.h

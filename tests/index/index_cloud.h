@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* Random clouds of particles for the tests of the indexes, and the comparison of sets of pairs. */
-#ifndef SCREE_TESTS_INDEX_CLOUD_H
-#define SCREE_TESTS_INDEX_CLOUD_H
+#ifndef SCREE_TESTS_INDEX_INDEX_CLOUD_H
+#define SCREE_TESTS_INDEX_INDEX_CLOUD_H
 
 #include "index/index.h"
 
@@ -49,11 +49,11 @@ struct cloud {
     int64_t *id;
 };
 
-void cloud_make(struct cloud *cloud, const struct cloud_spec *spec);
-void cloud_free(struct cloud *cloud);
+void index_cloud_make(struct cloud *cloud, const struct cloud_spec *spec);
+void index_cloud_free(struct cloud *cloud);
 
 /* Applies an order to the owned particles, as a rebuild does. */
-void cloud_reorder(struct cloud *cloud, const uint32_t *order);
+void index_cloud_reorder(struct cloud *cloud, const uint32_t *order);
 
 /* A set of pairs as sorted keys; pairs of owned particles in one orientation. Particles are named by id, so
  * that sets before and after a reorder compare. */

@@ -1,12 +1,8 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
-/* Makes random clouds and compares sets of pairs. Read cloud.h first. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <cmocka.h>
+/* Makes random clouds and compares sets of pairs. Read index_cloud.h first. */
+#include "tests/test.h"
 
-#include "tests/index/cloud.h"
+#include "tests/index/index_cloud.h"
 
 #include "base/random.h"
 
@@ -120,7 +116,7 @@ static void set_classes(struct cloud *cloud, const struct cloud_spec *spec) {
     set_unwanted(view, spec);
 }
 
-void cloud_make(struct cloud *cloud, const struct cloud_spec *spec) {
+void index_cloud_make(struct cloud *cloud, const struct cloud_spec *spec) {
     *cloud = (struct cloud){0};
     size_t n = spec->count;
     cloud->record = calloc(STRIDE * (n + 1), sizeof *cloud->record);
@@ -160,13 +156,13 @@ void cloud_make(struct cloud *cloud, const struct cloud_spec *spec) {
     set_classes(cloud, spec);
 }
 
-void cloud_free(struct cloud *cloud) {
+void index_cloud_free(struct cloud *cloud) {
     free(cloud->record);
     free(cloud->size_class);
     free(cloud->id);
 }
 
-void cloud_reorder(struct cloud *cloud, const uint32_t *order) {
+void index_cloud_reorder(struct cloud *cloud, const uint32_t *order) {
     size_t n = cloud->view.owned;
     double *record = malloc((n + 1) * STRIDE * sizeof *record);
     uint8_t *size_class = malloc(n + 1);
