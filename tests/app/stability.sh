@@ -70,7 +70,7 @@ for kind in 'sc 6' 'bcc 4' 'fcc 4' 'hcp 4' 'hexagonal 6'; do
         set -- $kind
         crystal "$1" "$2" 0.001
         check "$1, $law: 0.95 is stable" keeps $law
-        # hcp has no mode that fills the bound where k_t is near k_n (tests/test_stability.c: 0.96 of it)
+        # hcp has no mode that fills the bound where k_t is near k_n (tests/physics/grains/motion/test_stability.c: 0.96 of it)
         above=1.1
         [ "$1" != hcp ] || above=1.3
         check "$1, $law: $above is not" explodes $law $above

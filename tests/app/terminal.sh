@@ -76,7 +76,7 @@ if script -qc true /dev/null </dev/null >/dev/null 2>&1; then
 else
     skip 'terminals: no script (bsdutils) here'
 fi
-piped() { # lines, and nothing for a terminal; tests/test_progress counts how many
+piped() { # lines, and nothing for a terminal; tests/data/observe/test_progress counts how many
     local line='^ *0 % .* left, step [0-9]* of 1000000000, t = .* particle-steps/s, [0-9]* MiB, energy_kinetic [-+.e0-9]*, ' runner good
     "$scree" run scene.yaml -o piped >said 2>told &
     runner=$!

@@ -14,8 +14,8 @@
  *      index, classes, skin, domain, guards), schema_contact.c, schema_particles.c, schema_walls.c,
  *      schema_output.c, or the table of a physics (physics_table.h).
  *   3. What one row cannot say: derived values, and numbers that are NAN where not given, in finish.c;
- *      combinations of keys that are refused in scene_check.c, with a line in tests/test_scene_check.c.
- *   4. `make pages` writes docs/scene.md. tests/test_schema looks at each row: its help, range, default, example.
+ *      combinations of keys that are refused in scene_check.c, with a line in tests/data/scene/test_scene_check.c.
+ *   4. `make pages` writes docs/scene.md. tests/data/scene/test_schema looks at each row: its help, range, default, example.
  * Reading, `--set`, help, the echo in files and the list of changes at a resume then know the key. */
 #ifndef SCREE_SCENE_SCHEMA_ROWS_H
 #define SCREE_SCENE_SCHEMA_ROWS_H

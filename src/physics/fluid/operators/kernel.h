@@ -8,7 +8,7 @@
  * same numbers.
  *
  * How to add a kernel: a number of enum kernel_name, a row in kernel.c, its name in fluid_rows.c.
- * tests/test_fluid_operators checks the integrals of each row. */
+ * tests/physics/fluid/operators/test_fluid_operators checks the integrals of each row. */
 #ifndef SCREE_OPERATORS_KERNEL_H
 #define SCREE_OPERATORS_KERNEL_H
 

@@ -12,7 +12,7 @@
  *   4. Add the law to examples/step-fraction.sh, and what the script finds as `step_error` to the law.
  *
  * The scene's keys, the loops of all instruction sets, the stable step, `scree check`, `scree ablate`, the
- * report and the help then know the law. tests/test_law.c compares each law of the table with the law's own
+ * report and the help then know the law. tests/physics/grains/laws/test_law.c compares each law of the table with the law's own
  * potential. */
 #ifndef SCREE_LAWS_LAW_FORM_H
 #define SCREE_LAWS_LAW_FORM_H

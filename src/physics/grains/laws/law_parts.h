@@ -16,7 +16,7 @@
  *   3. `make pages` writes its keys to docs/scene.md; describe the formula with its source in docs/physics.md.
  *
  * The scene's names and keys, the check of ranges and of what combines, the loops of all instruction sets, the range of the
- * search, the help and `scree check` then know the part. tests/test_law_parts.c compares each cohesion's force with the slope of its
+ * search, the help and `scree check` then know the part. tests/physics/grains/laws/test_law_parts.c compares each cohesion's force with the slope of its
  * energy, and each loop with single contacts. */
 #ifndef SCREE_LAWS_LAW_PARTS_H
 #define SCREE_LAWS_LAW_PARTS_H
