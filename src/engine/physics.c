@@ -217,7 +217,7 @@ void physics_look(const struct physics_set *set) {
         const struct physics_active *active = &set->active[k];
         for (int p = 0; p < active->row->passes; p++) {
             const struct physics_pass *pass = &active->row->pass[p];
-            if (pass->stage == PASS_LOOK && (pass->needed == NULL || pass->needed(&active->context)))
+            if (pass->place == PASS_LOOK && (pass->needed == NULL || pass->needed(&active->context)))
                 pass->whole(&active->context);
         }
     }

@@ -18,7 +18,7 @@
  *
  * How to add a pass of the step, in four steps:
  *
- *   1. Choose its stage (enum pass_stage). Forces are added in PASS_PAIRS, PASS_SHARES or PASS_CLOSE. They are
+ *   1. Choose its place (enum pass_place). Forces are added in PASS_PAIRS, PASS_SHARES or PASS_CLOSE. They are
  *      complete when the step ends: a pass that reads the force on a particle runs in PASS_LOOK, or in
  *      PASS_FIRST of the next step.
  *   2. Write its function: `whole`, `rows`, `block` or `share`, see struct physics_pass.
@@ -85,8 +85,8 @@ struct physics_context {
     bool ordered;      /* sums in an order that no layout changes */
 };
 
-/* The stages of a step, in which passes run. All passes of a stage run before those of the next. */
-enum pass_stage {
+/* The places of a step, in which passes run. All passes of a place run before those of the next. */
+enum pass_place {
     PASS_FIRST, /* before all motion */
     PASS_MOVE,  /* particles move: passes by rows */
     PASS_MOVED, /* other things move */
@@ -101,7 +101,7 @@ enum pass_stage {
 struct physics_pass {
     const char *name;
     const char *why; /* the reason in the scene for this pass; NULL: always there */
-    enum pass_stage stage;
+    enum pass_place place;
     const char *does;  /* its work in a few words, for the report's description of its stage */
     const char *timer; /* stage of the report for the time (stages.h); NULL: named as the pass */
     /* Names of fields, as "position velocity": shown to people, and the reason for which a scene has or has not the

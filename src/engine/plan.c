@@ -38,17 +38,17 @@ static struct plan_pass entry_of(const struct physics_set *set, const struct phy
                               .speed = set->speed};
 }
 
-/* Adds the passes of a stage to the plan; passes that fit the visit go to `visit` instead. */
-static void add_stage(struct plan *plan, struct plan_visit *visit, const struct physics_set *set,
-                      const struct timers *timers, enum pass_stage stage) {
+/* Adds the passes of a place to the plan; passes that fit the visit go to `visit` instead. */
+static void add_place(struct plan *plan, struct plan_visit *visit, const struct physics_set *set,
+                      const struct timers *timers, enum pass_place place) {
     for (int k = 0; k < set->count; k++)
         for (int p = 0; p < set->active[k].row->passes; p++) {
             const struct physics_active *active = &set->active[k];
             const struct physics_pass *pass = &active->row->pass[p];
-            if (pass->stage != stage || (pass->needed && !pass->needed(&active->context)))
+            if (pass->place != place || (pass->needed && !pass->needed(&active->context)))
                 continue;
             struct plan_pass entry = entry_of(set, active, pass, timers);
-            bool joins = visit && (stage != PASS_PAIRS || entry.list == set->active[0].context.list[0]);
+            bool joins = visit && (place != PASS_PAIRS || entry.list == set->active[0].context.list[0]);
             if (joins)
                 visit_add(visit, &entry);
             else
@@ -87,8 +87,8 @@ static bool ring_fits(const struct physics_set *set, const struct plan_visit *mo
             const struct physics_pass *pass = &active->row->pass[p];
             bool runs = pass->needed == NULL || pass->needed(&active->context);
             bool visit =
-                pass->stage == PASS_MOVE || pass->stage == PASS_LOOK ||
-                (pass->stage == PASS_PAIRS && active->context.list[0] == set->active[0].context.list[0]);
+                pass->place == PASS_MOVE || pass->place == PASS_LOOK ||
+                (pass->place == PASS_PAIRS && active->context.list[0] == set->active[0].context.list[0]);
             if (runs && !visit && !pass->at_end && !allows_moves(pass, moves))
                 return false;
         }
@@ -99,15 +99,15 @@ static void ring_make(struct step_plan *plan, const struct plan *alone, const st
                       const struct engine_passes *engine, const struct timers *timers,
                       const struct simulation *simulation) {
     add_engine(&plan->begin, engine->first, timers, simulation);
-    add_stage(&plan->begin, NULL, set, timers, PASS_FIRST);
-    add_stage(&plan->begin, NULL, set, timers, PASS_MOVE);
+    add_place(&plan->begin, NULL, set, timers, PASS_FIRST);
+    add_place(&plan->begin, NULL, set, timers, PASS_MOVE);
     add_engine(&plan->begin, engine->moving, timers, simulation);
-    add_stage(&plan->begin, NULL, set, timers, PASS_MOVED);
+    add_place(&plan->begin, NULL, set, timers, PASS_MOVED);
     add_engine(&plan->begin, engine->moved, timers, simulation);
     add_engine(&plan->go_on, engine->first, timers, simulation);
-    add_stage(&plan->go_on, NULL, set, timers, PASS_FIRST);
+    add_place(&plan->go_on, NULL, set, timers, PASS_FIRST);
     add_engine(&plan->go_on, engine->moving, timers, simulation);
-    add_stage(&plan->go_on, NULL, set, timers, PASS_MOVED);
+    add_place(&plan->go_on, NULL, set, timers, PASS_MOVED);
     add_engine(&plan->go_on, engine->moved, timers, simulation);
     add_engine(&plan->exchange, engine->renew, timers, simulation);
     if (!ring_fits(set, &plan->moves))
@@ -115,8 +115,8 @@ static void ring_make(struct step_plan *plan, const struct plan *alone, const st
     add_engine(&plan->ring, engine->ring, timers, simulation);
     for (int p = 0; p < alone->passes; p++)
         add(&plan->ring, &alone->pass[p]);
-    add_stage(&plan->ring, NULL, set, timers, PASS_SHARES);
-    add_stage(&plan->ring, NULL, set, timers, PASS_CLOSE);
+    add_place(&plan->ring, NULL, set, timers, PASS_SHARES);
+    add_place(&plan->ring, NULL, set, timers, PASS_CLOSE);
     add_engine(&plan->ring, engine->paired, timers, simulation);
     add_engine(&plan->ring, engine->settle, timers, simulation);
 }
@@ -126,33 +126,33 @@ void plan_make(struct step_plan *plan, const struct physics_set *set, const stru
     struct plan alone = {0};
     *plan = (struct step_plan){0};
     add_engine(&plan->plain, engine->first, timers, simulation);
-    add_stage(&plan->plain, NULL, set, timers, PASS_FIRST);
-    add_stage(&plan->plain, NULL, set, timers, PASS_MOVE);
+    add_place(&plan->plain, NULL, set, timers, PASS_FIRST);
+    add_place(&plan->plain, NULL, set, timers, PASS_MOVE);
     add_engine(&plan->plain, engine->moving, timers, simulation);
-    add_stage(&plan->plain, NULL, set, timers, PASS_MOVED);
+    add_place(&plan->plain, NULL, set, timers, PASS_MOVED);
     add_engine(&plan->plain, engine->moved, timers, simulation);
     add_engine(&plan->plain, engine->renew, timers, simulation);
-    add_stage(&plan->forces, NULL, set, timers, PASS_PAIRS);
-    add_stage(&plan->forces, NULL, set, timers, PASS_SHARES);
+    add_place(&plan->forces, NULL, set, timers, PASS_PAIRS);
+    add_place(&plan->forces, NULL, set, timers, PASS_SHARES);
     add_engine(&plan->forces, engine->shared, timers, simulation);
-    add_stage(&plan->forces, NULL, set, timers, PASS_CLOSE);
+    add_place(&plan->forces, NULL, set, timers, PASS_CLOSE);
     add_engine(&plan->forces, engine->paired, timers, simulation);
     for (int p = 0; p < plan->forces.passes; p++)
         add(&plan->plain, &plan->forces.pass[p]);
 
     add_engine(&plan->fused, engine->first, timers, simulation);
-    add_stage(&plan->fused, NULL, set, timers, PASS_FIRST);
+    add_place(&plan->fused, NULL, set, timers, PASS_FIRST);
     add_engine(&plan->fused, engine->moving, timers, simulation);
-    add_stage(&plan->fused, NULL, set, timers, PASS_MOVED);
+    add_place(&plan->fused, NULL, set, timers, PASS_MOVED);
     plan->moves.speed = set->speed;
-    add_stage(&plan->fused, &plan->moves, set, timers, PASS_MOVE);
-    add_stage(&alone, &plan->pairs, set, timers, PASS_PAIRS);
+    add_place(&plan->fused, &plan->moves, set, timers, PASS_MOVE);
+    add_place(&alone, &plan->pairs, set, timers, PASS_PAIRS);
     add_engine(&plan->fused, engine->sweep, timers, simulation);
     for (int p = 0; p < alone.passes; p++)
         add(&plan->fused, &alone.pass[p]);
-    add_stage(&plan->fused, NULL, set, timers, PASS_SHARES);
+    add_place(&plan->fused, NULL, set, timers, PASS_SHARES);
     add_engine(&plan->fused, engine->shared, timers, simulation);
-    add_stage(&plan->fused, NULL, set, timers, PASS_CLOSE);
+    add_place(&plan->fused, NULL, set, timers, PASS_CLOSE);
     add_engine(&plan->fused, engine->paired, timers, simulation);
     ring_make(plan, &alone, set, engine, timers, simulation);
 }

@@ -2,7 +2,7 @@
 /* The plan of a step: the passes of all active physics and of the engine itself, merged into one list that
  * runs from top to bottom and that `scree check` prints.
  *
- * Three orders are made from the same passes. The plain one runs pass after pass, stage by stage (physics.h).
+ * Three orders are made from the same passes. The plain one runs pass after pass, place by place (physics.h).
  * In the fused one the passes by rows that move particles, and the passes by block that follow them, share
  * one visit to each block: the particles of a block move just before the first pair that reads them, while
  * the particles are in the cache (kernel/pairs/sweep.h). A pass by block joins the visit if the pass walks over the
@@ -65,7 +65,7 @@ struct step_plan {
     struct plan_visit moves, pairs; /* by rows; by block, on the list of the sweep */
 };
 
-/* The engine's own passes between the stages of the physics; lists end with a NULL run. */
+/* The engine's own passes between those of the physics; lists end with a NULL run. */
 struct engine_passes {
     const struct engine_pass *first;  /* all orders: before PASS_FIRST */
     const struct engine_pass *moving; /* all orders: before PASS_MOVED */

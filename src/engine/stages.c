@@ -43,13 +43,13 @@ static const char *name_of(const struct physics_pass *pass) {
     return pass->timer ? pass->timer : pass->name;
 }
 
-/* Registers the stages of the passes of one stage of the step. Look passes belong to the output. */
+/* Registers the stages of the passes of one place of the step. Look passes belong to the output. */
 static void physics_register(struct timers *timers, const struct physics *const *physics, int count,
-                             enum pass_stage stage) {
+                             enum pass_place place) {
     for (int k = 0; k < count; k++)
         for (int p = 0; p < physics[k]->passes; p++) {
             const struct physics_pass *pass = &physics[k]->pass[p];
-            if (pass->stage == stage && !is_own(name_of(pass)))
+            if (pass->place == place && !is_own(name_of(pass)))
                 timer_register(timers, name_of(pass), pass->does ? pass->does : pass->name, TIMER_WORK);
         }
 }
@@ -69,7 +69,7 @@ int stages_begin(struct timers *timers) {
 }
 
 void stages_register(struct timers *timers, const struct physics *const *physics, int count) {
-    static const enum pass_stage then[] = {PASS_PAIRS, PASS_SHARES, PASS_MOVED, PASS_CLOSE, PASS_FIRST};
+    static const enum pass_place then[] = {PASS_PAIRS, PASS_SHARES, PASS_MOVED, PASS_CLOSE, PASS_FIRST};
     own_register(timers, 0, SWEEP);
     physics_register(timers, physics, count, PASS_MOVE);
     own_register(timers, SWEEP, LATER);

@@ -43,13 +43,13 @@ static bool not_needed(const struct physics_context *context) {
 }
 
 static const struct physics_pass grains_passes[] = {
-    {.name = "move", .stage = PASS_MOVE, .rows = count_rows},
-    {.name = "touch", .stage = PASS_PAIRS, .block = count_blocks}};
+    {.name = "move", .place = PASS_MOVE, .rows = count_rows},
+    {.name = "touch", .place = PASS_PAIRS, .block = count_blocks}};
 static const struct physics_pass no_contacts[] = {
-    {.name = "move", .stage = PASS_MOVE, .rows = count_rows},
-    {.name = "touch", .stage = PASS_PAIRS, .needed = not_needed, .block = count_blocks}};
-static const struct physics_pass age_passes[] = {{.name = "age", .stage = PASS_MOVE, .rows = count_rows}};
-static const struct physics_pass far_passes[] = {{.name = "far", .stage = PASS_PAIRS, .block = count_blocks}};
+    {.name = "move", .place = PASS_MOVE, .rows = count_rows},
+    {.name = "touch", .place = PASS_PAIRS, .needed = not_needed, .block = count_blocks}};
+static const struct physics_pass age_passes[] = {{.name = "age", .place = PASS_MOVE, .rows = count_rows}};
+static const struct physics_pass far_passes[] = {{.name = "far", .place = PASS_PAIRS, .block = count_blocks}};
 
 static const struct physics_search one = {.interactions = 1};
 static const struct physics grains = {.search = &one, .passes = 2, .pass = grains_passes},
@@ -147,16 +147,16 @@ static void fields_decide_on_the_ring(void **state) {
     static const struct engine_pass ring[] = {{"ring", NULL, "sweep", NULL, no_run}, {0}};
     static const struct engine_passes engine = {.ring = ring};
     const struct physics_pass later[] = {
-        {.name = "a", .stage = PASS_CLOSE, .reads = "inverse_mass heat", .writes = "heat", .share = no_share},
-        {.name = "b", .stage = PASS_CLOSE, .reads = "heat", .writes = "heat force", .share = no_share},
-        {.name = "c", .stage = PASS_SHARES, .reads = "position", .share = no_share},
-        {.name = "d", .stage = PASS_FIRST, .reads = "force", .writes = "velocity", .share = no_share},
-        {.name = "e", .stage = PASS_CLOSE, .writes = "force", .at_end = true, .share = no_share},
-        {.name = "f", .stage = PASS_LOOK, .reads = "position", .share = no_share},
-        {.name = "g", .stage = PASS_CLOSE, .reads = "posit", .writes = "forces", .share = no_share}};
+        {.name = "a", .place = PASS_CLOSE, .reads = "inverse_mass heat", .writes = "heat", .share = no_share},
+        {.name = "b", .place = PASS_CLOSE, .reads = "heat", .writes = "heat force", .share = no_share},
+        {.name = "c", .place = PASS_SHARES, .reads = "position", .share = no_share},
+        {.name = "d", .place = PASS_FIRST, .reads = "force", .writes = "velocity", .share = no_share},
+        {.name = "e", .place = PASS_CLOSE, .writes = "force", .at_end = true, .share = no_share},
+        {.name = "f", .place = PASS_LOOK, .reads = "position", .share = no_share},
+        {.name = "g", .place = PASS_CLOSE, .reads = "posit", .writes = "forces", .share = no_share}};
     const bool fits[] = {true, false, false, false, true, true, true};
     static const struct physics_pass own[] = {{.name = "move",
-                                               .stage = PASS_MOVE,
+                                               .place = PASS_MOVE,
                                                .reads = "force inverse_mass",
                                                .writes = "position velocity",
                                                .rows = count_rows}};

@@ -4,9 +4,8 @@
  * What is read agrees with the table of the file; the shape of each dataset is still checked, as the file may come from a
  * different program. */
 #include "data/formats/checkpoint.h"
-#include "data/formats/checkpoint_head.h"
+#include "data/formats/checkpoint_parts.h"
 #include "data/formats/checkpoint_names.h"
-#include "data/formats/checkpoint_rows.h"
 
 #include "base/memory.h"
 #include "base/file.h"

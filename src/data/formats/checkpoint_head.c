@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* Writes or reads the small parts: numbers by name, the division of the box, box, law, materials, groups, walls, and
  * the runs that led to this state. */
-#include "data/formats/checkpoint_head.h"
+#include "data/formats/checkpoint_parts.h"
 #include "data/formats/checkpoint_names.h"
 
 #include "base/memory.h"

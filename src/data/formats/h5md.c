@@ -2,7 +2,7 @@
 /* The life of an H5MD writer: open, flush, close. Read h5md_file.h first. */
 #include "data/formats/h5md.h"
 #include "data/formats/h5md_file.h"
-#include "data/formats/h5md_resume.h"
+#include "data/formats/h5md_parts.h"
 
 #include "base/memory.h"
 #include "base/file.h"

@@ -8,8 +8,7 @@
 #ifndef SCREE_FORMATS_H5MD_H
 #define SCREE_FORMATS_H5MD_H
 
-#include "data/formats/h5md_contacts.h"
-#include "data/formats/h5md_frame.h"
+#include "data/formats/h5md_parts.h"
 #include "data/formats/h5md_observables.h"
 #include "data/formats/lineage.h"
 

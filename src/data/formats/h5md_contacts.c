@@ -2,7 +2,7 @@
 /* Contact lists: /connectivity/contacts holds the pairs of ids, /connectivity/wall_contacts the ids of
  * particles that touch a wall. The values of each contact stand in the same row in /observables/contact_list
  * and /observables/wall_contact_list. All these elements share one step and time. Absent rows have ids -1. */
-#include "data/formats/h5md_contacts.h"
+#include "data/formats/h5md_parts.h"
 #include "data/formats/h5md_file.h"
 #include "data/formats/h5md_head.h"
 

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* Writes the particles of one moment. The first frame makes the elements; later frames must have the same
  * columns. */
-#include "data/formats/h5md_frame.h"
+#include "data/formats/h5md_parts.h"
 #include "data/formats/h5md_file.h"
 #include "data/formats/h5md_head.h"
 #include "data/formats/h5md_observables.h"

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* Continues a trajectory: data after the step of the checkpoint are cut off, the rest is kept. */
-#include "data/formats/h5md_resume.h"
+#include "data/formats/h5md_parts.h"
 #include "data/formats/h5md_element.h"
 #include "data/formats/h5md_head.h"
 

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* Lattices as rectangular cells with a basis: places run through the cells with x fastest, basis innermost.
  */
-#include "data/scene/lattice.h"
+#include "data/scene/source_makers.h"
 
 #include "base/memory.h"
 

@@ -4,7 +4,7 @@
  * depends on seed and scene alone. Without moves of placed spheres the density is bounded: equal spheres end
  * at 0.382 of the volume, equal discs at 0.547 of the area (Feder 1980), and the last percents take very
  * long; wide size laws reach more. */
-#include "data/scene/scatter.h"
+#include "data/scene/source_makers.h"
 
 #include "base/memory.h"
 #include "data/scene/source_radii.h"

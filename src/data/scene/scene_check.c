@@ -3,9 +3,6 @@
 #include "data/scene/scene_check.h"
 #include "data/scene/mistakes.h"
 #include "data/scene/packed_radii.h"
-#include "data/scene/scene_check_box.h"
-#include "data/scene/scene_check_output.h"
-#include "data/scene/scene_check_walls.h"
 #include "data/scene/scene_stage.h"
 
 #include <math.h>

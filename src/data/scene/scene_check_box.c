@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* Refuses what a box in motion cannot have. Read scene_check_box.h first. */
-#include "data/scene/scene_check_box.h"
+#include "data/scene/scene_check.h"
 
 #include <math.h>
 

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* Checks the output and the observables of a scene. Read scene_check.h first. */
-#include "data/scene/scene_check_output.h"
+#include "data/scene/scene_check.h"
 
 #include <math.h>
 

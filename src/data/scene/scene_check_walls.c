@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* Walls that cannot be: their places in a periodic box, and their motions. */
-#include "data/scene/scene_check_walls.h"
+#include "data/scene/scene_check.h"
 
 #include <math.h>
 

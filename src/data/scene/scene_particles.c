@@ -12,12 +12,8 @@
 #include "data/formats/h5md_read.h"
 #include "data/formats/lammps_data.h"
 #include "kernel/particles/groups.h"
-#include "data/scene/lattice.h"
+#include "data/scene/source_makers.h"
 #include "data/scene/packed.h"
-#include "data/scene/scatter.h"
-#include "data/scene/source_ids.h"
-#include "data/scene/table.h"
-#include "data/scene/unique.h"
 
 #include <math.h>
 #include <string.h>

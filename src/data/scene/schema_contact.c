@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* Rows of the schema: materials, their pairs, the contact law. */
 #include "data/scene/scene.h"
-#include "data/scene/schema_contact.h"
+#include "data/scene/schema_sections.h"
 
 /* One row a key, packed to the line: */
 /* clang-format off */

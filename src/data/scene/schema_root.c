@@ -2,11 +2,9 @@
 /* Rows of the schema: the top level, box, step, index, classes, ghosts, domain, guards. */
 #include "data/scene/scene.h"
 #include "data/scene/schema_root.h"
-#include "data/scene/schema_contact.h"
+#include "data/scene/schema_sections.h"
 #include "data/scene/schema_output.h"
 #include "data/scene/schema_particles.h"
-#include "data/scene/schema_stage.h"
-#include "data/scene/schema_walls.h"
 
 /* One row a key, packed to the line: */
 /* clang-format off */

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* Rows of the schema: stages, and the conditions that end a stage. */
-#include "data/scene/schema_stage.h"
+#include "data/scene/schema_sections.h"
 #include "data/scene/scene.h"
 #include "data/scene/schema_output.h"
 

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* Gives particles their ids. Read source_ids.h first. */
-#include "data/scene/source_ids.h"
+#include "data/scene/source_makers.h"
 
 #include "base/memory.h"
 

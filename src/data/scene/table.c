@@ -3,9 +3,8 @@
  * a comment. The columns are named by the scene or by a header line ("Radius[m] PosX[m] PosY[m] PosZ[m]"),
  * which has no number in it; units of the header hold where the scene gives none. A row with more or fewer
  * numbers than there are columns is refused: it is not a row of this list. */
-#include "data/scene/table.h"
+#include "data/scene/source_makers.h"
 #include "data/scene/scene_text.h"
-#include "data/scene/table_lines.h"
 
 #include "base/memory.h"
 #include "kernel/particles/particles.h"

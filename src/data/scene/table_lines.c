@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* Reads the lines of a plain table and cuts them into words. Read table_lines.h first. */
-#include "data/scene/table_lines.h"
+#include "data/scene/source_makers.h"
 
 #include "base/memory.h"
 

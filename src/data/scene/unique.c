@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* Sorts keys and finds the first that occurs twice. Read unique.h first. */
-#include "data/scene/unique.h"
+#include "data/scene/source_makers.h"
 
 #include "base/memory.h"
 

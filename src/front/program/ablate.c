@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* `scree ablate`: one scene over indexes, threads and newton settings; a table of stage times, pairs and
  * memory. */
-#include "front/program/ablate.h"
+#include "front/program/commands.h"
 #include "front/program/ablate_error.h"
 #include "front/program/ablate_run.h"
 #include "front/program/trial.h"

@@ -1,10 +1,7 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* `scree check`: prints the parts that a scene needs, and the reasons. */
-#include "front/program/check.h"
+#include "front/program/commands.h"
 #include "front/program/check_parts.h"
-#include "front/program/run_cost.h"
-#include "front/program/layout.h"
-#include "front/program/step_study.h"
 #include "base/lines.h"
 #include "physics/grains/grains.h"
 #include "engine/skin_auto.h"

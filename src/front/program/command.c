@@ -1,12 +1,7 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* The table of subcommands, their usage, and the short subcommands: run, info, convert. */
 #include "front/program/command.h"
-#include "front/program/ablate.h"
-#include "front/program/check.h"
-#include "front/program/lookup.h"
-#include "front/program/command_pack.h"
-#include "front/program/page.h"
-#include "front/program/command_picture.h"
+#include "front/program/commands.h"
 #include "data/formats/checkpoint.h"
 #include "engine/run.h"
 #include "data/formats/convert.h"

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* scree pack: makes a packing and writes it. One rank works, with threads; others wait. */
-#include "front/program/command_pack.h"
+#include "front/program/commands.h"
 #include "front/program/pack_settle.h"
 #include "base/memory.h"
 #include "base/timer.h"

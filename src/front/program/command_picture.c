@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* scree picture: the command line of pictures. Read front/picture/picture.h first. */
-#include "front/program/command_picture.h"
+#include "front/program/commands.h"
 #include "base/file.h"
 #include "front/picture/picture.h"
 

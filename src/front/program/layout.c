@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* Counts the particles and copies that each rank of a layout would hold. Read layout.h first. */
-#include "front/program/layout.h"
+#include "front/program/check_parts.h"
 #include "kernel/comm/copies.h"
 #include "kernel/comm/domain_grid.h"
 #include "base/memory.h"

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* Single values of reports and tables. JSON is read as YAML, which includes JSON. Read lookup.h first. */
-#include "front/program/lookup.h"
+#include "front/program/commands.h"
 #include "base/memory.h"
 #include "base/file.h"
 #include "base/lines.h"

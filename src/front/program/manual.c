@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* Writes the manual page and the completion of the shell. Read manual.h first. */
-#include "front/program/manual.h"
+#include "front/program/commands.h"
 #include "front/program/command.h"
 #include "base/version.h"
 #include <string.h>

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* scree report: hands a folder and the scene of its run over to a script. Read page.h first. */
-#include "front/program/page.h"
+#include "front/program/commands.h"
 #include "base/memory.h"
 #include "base/file.h"
 #include "base/program.h"

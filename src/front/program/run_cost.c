@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* Estimates the cost of a run. Read run_cost.h first. */
-#include "front/program/run_cost.h"
+#include "front/program/check_parts.h"
 #include "data/formats/wall_frames.h"
 #include "front/program/trial.h"
 #include "physics/grains/grains.h"

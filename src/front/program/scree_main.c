@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* The program from its arguments to its exit status: help and version, MPI, the command, its error. */
 #include "front/program/command.h"
-#include "front/program/manual.h"
+#include "front/program/commands.h"
 #include "base/version.h"
 #include "data/formats/output.h"
 #include "data/scene/schema_help.h"

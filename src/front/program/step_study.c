@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* The errors that examples/step-fraction.sh has found. Read step_study.h first. */
-#include "front/program/step_study.h"
+#include "front/program/check_parts.h"
 #include "physics/grains/laws/law_parts.h"
 #include "physics/grains/laws/law_table.h"
 #include <math.h>

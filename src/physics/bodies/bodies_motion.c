@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* Sums the forces on bodies, and moves the bodies. Read bodies.h first. */
-#include "physics/bodies/bodies_motion.h"
+#include "physics/bodies/bodies_parts.h"
 #include "physics/bodies/bodies_fields.h"
 #include "physics/bodies/bodies_links.h"
 #include "physics/bodies/rotor.h"

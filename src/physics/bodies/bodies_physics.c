@@ -4,8 +4,7 @@
 #include "physics/bodies/bodies_fields.h"
 #include "physics/grains/grains.h"
 #include "physics/bodies/bodies_links.h"
-#include "physics/bodies/bodies_motion.h"
-#include "physics/bodies/place.h"
+#include "physics/bodies/bodies_parts.h"
 #include "base/memory.h"
 #include "kernel/particles/kinds.h"
 #include <math.h>
@@ -188,7 +187,7 @@ static void print(const struct physics_context *context, FILE *file) {
 
 static const struct physics_pass passes[] = {{.name = "bodies",
                                               .does = "forces on bodies, and their motion",
-                                              .stage = PASS_FIRST,
+                                              .place = PASS_FIRST,
                                               .reads = "force torque",
                                               .writes = "position orientation",
                                               .whole = step}};

@@ -346,12 +346,12 @@ static void restart(const struct physics_context *context, struct restart *list)
 static const struct physics_pass passes[] = {
     {.name = "bonds",
      .does = "forces of bonds",
-     .stage = PASS_SHARES,
+     .place = PASS_SHARES,
      .reads = "position velocity angular_velocity",
      .writes = "force torque",
      .share = act},
-    {.name = "bonds_finish", .stage = PASS_CLOSE, .timer = "bonds", .whole = finish},
-    {.name = "bonds_count", .stage = PASS_LOOK, .writes = "bonds", .whole = count}};
+    {.name = "bonds_finish", .place = PASS_CLOSE, .timer = "bonds", .whole = finish},
+    {.name = "bonds_count", .place = PASS_LOOK, .writes = "bonds", .whole = count}};
 
 static const struct physics_rows rows = {
     .of = rows_of, .components = BOND_COMPONENTS, .due = due, .again = rebuilt_again};

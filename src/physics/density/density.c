@@ -63,7 +63,7 @@ static void sum(const struct physics_context *context) {
 }
 
 static const struct physics_pass pass = {.name = "number_density",
-                                         .stage = PASS_LOOK,
+                                         .place = PASS_LOOK,
                                          .reads = "position",
                                          .writes = "number_density",
                                          .whole = sum};

@@ -251,7 +251,7 @@ static void restart(const struct physics_context *context, struct restart *list)
 }
 
 static const struct physics_pass pass = {.name = "drag",
-                                         .stage = PASS_CLOSE,
+                                         .place = PASS_CLOSE,
                                          .does = "drag and buoyancy of grains in a fluid, and porosity",
                                          .reads = "position velocity radius",
                                          .writes = "force drag_force porosity",

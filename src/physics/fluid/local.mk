@@ -22,14 +22,14 @@ libfluid_la_SOURCES = \
 	%D%/carried/scalars_rows.h %D%/carried/shares.h %D%/coupling/boundary_motion.h %D%/coupling/coupled_solve.h \
 	%D%/coupling/grain_coupling.h %D%/coupling/surface_loads.h %D%/coupling/unresolved_grains.h \
 	%D%/flow_output.h %D%/fluid.h %D%/fluid_fields.h %D%/fluid_state.h %D%/lattice/arrangement.h \
-	%D%/lattice/body_surfaces.h %D%/lattice/lattice_fill.h %D%/lattice/lattice_fill_open.h %D%/lattice/mirror.h \
+	%D%/lattice/body_surfaces.h %D%/lattice/lattice_fill.h %D%/lattice/lattice_fill_parts.h %D%/lattice/mirror.h \
 	%D%/lattice/narrow_gaps.h %D%/lattice/nodes.h %D%/lattice/pattern.h %D%/lattice/regions.h \
-	%D%/lattice/surface_feet.h %D%/lattice/surface_marks.h %D%/observe_flow.h %D%/operators/assembly.h \
-	%D%/operators/correction_tensors.h %D%/operators/gradient_correction.h %D%/operators/kernel.h \
-	%D%/operators/mls.h %D%/operators/neighbour_fluxes.h %D%/operators/operators.h \
-	%D%/operators/surface_forces.h %D%/operators/weights.h %D%/schemes/boundary_values.h %D%/schemes/flow.h \
-	%D%/schemes/flow_drive.h %D%/schemes/flow_fields.h %D%/schemes/flow_loss.h %D%/schemes/fluid_motion.h \
-	%D%/schemes/fluid_passes.h %D%/schemes/momentum.h %D%/schemes/moving_step.h %D%/schemes/open_sides.h \
-	%D%/schemes/particle_shift.h %D%/schemes/pressure.h %D%/schemes/projection.h %D%/schemes/projection_parts.h \
-	%D%/schemes/residual.h %D%/schemes/schur.h %D%/schemes/solver_watch.h %D%/schemes/steady.h
+	%D%/lattice/surface_feet.h %D%/observe_flow.h %D%/operators/assembly.h %D%/operators/correction_tensors.h \
+	%D%/operators/gradient_correction.h %D%/operators/kernel.h %D%/operators/mls.h \
+	%D%/operators/neighbour_fluxes.h %D%/operators/operators.h %D%/operators/surface_forces.h \
+	%D%/operators/weights.h %D%/schemes/boundary_values.h %D%/schemes/flow.h %D%/schemes/flow_drive.h \
+	%D%/schemes/flow_fields.h %D%/schemes/flow_loss.h %D%/schemes/fluid_motion.h %D%/schemes/fluid_passes.h \
+	%D%/schemes/momentum.h %D%/schemes/moving_step.h %D%/schemes/open_sides.h %D%/schemes/particle_shift.h \
+	%D%/schemes/pressure.h %D%/schemes/projection.h %D%/schemes/projection_parts.h %D%/schemes/residual.h \
+	%D%/schemes/schur.h %D%/schemes/solver_watch.h %D%/schemes/steady.h
 PHYSICS_LIBS += libfluid.la libsolve.la

@@ -325,7 +325,7 @@ static void print(const struct physics_context *context, FILE *file) {
 
 static const struct physics_pass pass = {.name = "solve",
                                          .does = "forces of contacts, by a solver",
-                                         .stage = PASS_CLOSE,
+                                         .place = PASS_CLOSE,
                                          .timer = "contact",
                                          .reads = "position velocity radius inverse_mass force",
                                          .writes = "force",

@@ -1,8 +1,6 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* PETSc's start, end, options and errors, and the table by which system.c finds all. Read backend.h first. */
-#include "physics/solve/petsc_free.h"
-#include "physics/solve/petsc_matrix.h"
-#include "physics/solve/petsc_solver.h"
+#include "physics/solve/petsc_parts.h"
 
 #include <stdio.h>
 #include <stdlib.h>

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* Systems without a matrix: PETSc calls back to multiply, to precondition and to ask whether to go on. */
-#include "physics/solve/petsc_free.h"
+#include "physics/solve/petsc_parts.h"
 
 static PetscErrorCode multiply(Mat matrix, Vec x, Vec y) {
     struct petsc_system *system;

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* Matrices of PETSc from rows: values, the pinned diagonal, null spaces, products. */
-#include "physics/solve/petsc_matrix.h"
+#include "physics/solve/petsc_parts.h"
 
 #include <math.h>
 

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* Krylov methods and preconditioners of PETSc, with the settings that were measured to serve scree's matrices. */
-#include "physics/solve/petsc_solver.h"
+#include "physics/solve/petsc_parts.h"
 
 #include <stdio.h>
 #include <string.h>

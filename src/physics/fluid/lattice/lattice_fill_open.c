@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* Open sides that contradict each other, or the lattice. Read lattice_fill_open.h first. */
-#include "physics/fluid/lattice/lattice_fill_open.h"
+#include "physics/fluid/lattice/lattice_fill_parts.h"
 #include "base/memory.h"
 #include "physics/fluid/schemes/open_sides.h"
 #include <math.h>

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* Marks of meshes and open sides. Read surface_marks.h first. */
-#include "physics/fluid/lattice/surface_marks.h"
+#include "physics/fluid/lattice/lattice_fill_parts.h"
 #include "physics/grains/grains.h"
 #include "base/memory.h"
 #include "physics/fluid/lattice/body_surfaces.h"

@@ -1,0 +1,27 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
+/* Parts of the physics of bodies: their motion, and their places at the start. */
+#ifndef SCREE_PHYSICS_BODIES_BODIES_PARTS_H
+#define SCREE_PHYSICS_BODIES_BODIES_PARTS_H
+
+#include "physics/bodies/bodies.h"
+
+/* The motion of bodies: a step, and their velocities at the full step. bodies.h has the scheme. */
+
+/* Moves the bodies by a step: velocities from half a step before to half a step behind the present, then places.
+ * Sets the poses, which members take. Collective. */
+void bodies_motion_step(struct bodies *bodies, const struct physics_context *context);
+
+/* Velocities at the present, from the forces of the present: of poses, and of the particles of bodies.
+ * Collective. */
+void bodies_motion_full_step(struct bodies *bodies, const struct physics_context *context);
+
+/* Makes bodies of grains. */
+
+/* The clump that a grain of this material and radius becomes; -1: none. */
+int place_clump(const struct bodies_options *options, int material, double radius);
+
+/* Turns the grains of this rank that are to be bodies into bodies and their members: `fill` of struct physics. */
+bool place_all(struct bodies *bodies, const struct physics_context *context,
+               const struct physics_share *share, struct error *error);
+
+#endif
