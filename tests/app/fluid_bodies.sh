@@ -245,5 +245,5 @@ check "a periodic side" scene_refused 'fluid.open[0].side|periodic' cube.yaml --
 check "more flows in than out" scene_refused 'fluid.open|balance' channel.yaml --set 'fluid.open=[{side: x_lower, velocity: [1, 0, 0]}, {side: x_upper, velocity: [0.5, 0, 0]}]'
 check "a mesh with a hole" scene_refused 'walls[0].file|3 edges' cube.yaml --set 'walls[0].file=broken.stl'
 check "a mesh in two dimensions" scene_refused 'walls[0].file|two dimensions' channel.yaml --set 'walls=[{name: a, shape: mesh, file: cube.stl}]'
-check "a body that is not there" scene_refused 'drag|no wall and no group "sphere"|cube' cube.yaml --set 'observables.list=[{name: drag/sphere}]'
+check "a body that is not there" scene_refused 'drag|there is no wall or group "sphere"|cube' cube.yaml --set 'observables.list=[{name: drag/sphere}]'
 finish
