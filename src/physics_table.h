@@ -1,12 +1,12 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* The physics: one row each. engine/physics.h has the contract and the recipe.
  *
- * PHYSICS_TABLE has those that a scene may ask for, with NAME, the key of the physics' section in a scene, and a summary. A
- * row stands for these objects of src/physics/NAME/. PARTICLES is OWN if the physics makes particles of its own, and needs all pairs of each on
+ * PHYSICS_SECTION_TABLE has those that a scene may ask for, as rows ROW(NAME, key, PARTICLES, summary): `key` is the physics'
+ * section in a scene. A row stands for these objects of src/physics/NAME/. PARTICLES is OWN if the physics makes particles of its own, and needs all pairs of each on
  * its rank (newton is then off); BODIES if its own particles meet nobody; GRAINS if it makes none:
  *
  *   NAME_physics      struct physics              engine/physics.h
- *   NAME_schema       struct schema_table         the rows of its section (data/scene/schema.h)
+ *   NAME_schema       struct schema_table         the rows of its section (data/scene/schema_rows.h)
  *   NAME_fields       void (struct particles *)   registers its fields (kernel/particles/fields.h)
  *   NAME_observables  struct observable_table     its observables (data/observe/observables_kinds.h)
  *

@@ -7,14 +7,16 @@
  * one plan (plan.h), keeps the pair lists of their interactions, and informs each physics of new lists. A
  * physics that no scene asks for costs nothing: no field, no pair, no pass.
  *
- * How to add a physics, in five steps (src/physics/density/ is the example, with everything in 150 lines):
+ * How to add a physics, in six steps (src/physics/density/ is the example, with everything in 150 lines):
  *
  *   1. Make a folder src/physics/NAME/ with the rows of its section of a scene, its fields and its observables
  *      (physics_table.h names the objects), and a local.mk that adds libNAME.la to PHYSICS_LIBS.
  *   2. Write its `struct physics`: interactions, create and destroy, passes.
- *   3. Add its row to PHYSICS_SECTION_TABLE, and `include src/physics/NAME/local.mk` to Makefile.am.
- *   4. Write its test against a plain double loop, on several ranks and threads and on every index.
- *   5. `make pages` writes docs/scene.md and docs/output.md.
+ *   3. Add its row to PHYSICS_SECTION_TABLE, `include src/physics/NAME/local.mk` to Makefile.am, and its folder to `floors` in
+ *      tests/lint, to the table of docs/architecture.md and to docs/folders.dot.
+ *   4. Write its test against a plain double loop, on several ranks and threads and on every index (tests/app/density.sh).
+ *   5. Features meet: add it to tests/app/features.sh and docs/features.md, or refuse a feature by name in `check`.
+ *   6. `make pages` writes docs/scene.md and docs/output.md.
  *
  * How to add a pass of the step, in four steps:
  *
@@ -33,8 +35,10 @@
  *
  * One physics of a run moves the grains: the one that the scene gives and that has the facet `mover`, else src/physics/grains.
  * It adds the passes that move them, and context->moves_grains is true for it alone; the passes of src/physics/grains that kick,
- * drift and push are then left out, while the walls stay there and move. Pair lists, histories of contacts, walls and
- * ranks serve any mover. */
+ * drift and push are then left out, while the walls stay there and move: with another mover contacts and walls exert NO forces,
+ * but for what its own passes add. Pair lists, histories of contacts, walls and ranks serve any mover. So choose: what changes
+ * the force is a pass in PASS_SHARES or PASS_PAIRS of a physics without `mover`; what replaces v += dt f/m is a mover; a given
+ * motion needs no code, but a group of the scene. */
 #ifndef SCREE_ENGINE_PHYSICS_H
 #define SCREE_ENGINE_PHYSICS_H
 
@@ -242,13 +246,19 @@ enum {
 /* The sums that make the stress of the box: six products of distance and force, and the energy of normal springs. */
 enum { STRESS_SUMS = 7 };
 
-/* Facet of a physics that can move the grains. The engine asks the one that does; but `prepare` of each. */
+/* Facet of a physics that can move the grains. The engine asks the one that does; but `prepare` of each.
+ *
+ * The passes at PASS_MOVE of a mover do what integrator_advance does for grains (physics/grains/motion/integrator.h): they
+ * move the particles, set the force record of each to zero, give prescribed groups their motion and leave carried grains to
+ * their carrier, and leave z as it is in two dimensions. Files and observables show v + dt/2 (f/m + g) as the velocity: the one
+ * that is stored is that of half a step before. */
 struct physics_mover {
     /* The evaluation that follows, or the length of steps, is another one: context->evaluation, context->clock. */
     void (*prepare)(const struct physics_context *context);
-    /* After the forces of the state from which a run starts; resumed runs do without. Collective. */
+    /* After the forces of the state from which a run starts; moves the velocities back by half a step. Resumed runs do without.
+     * Collective. */
     void (*begin)(const struct physics_context *context);
-    /* Moves the velocities of grains back by half of `dt`, under the present forces. */
+    /* Moves the velocities of grains back by half of `dt`, under the present forces: where the length of steps changes. */
     void (*shift)(const struct physics_context *context, double dt);
     /* The largest stable step for what may come, from the particles at the start; INFINITY: any. Collective. `why`
      * writes the cause. NULL: any. */

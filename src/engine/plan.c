@@ -98,17 +98,17 @@ static bool ring_fits(const struct physics_set *set, const struct plan_visit *mo
 static void ring_make(struct step_plan *plan, const struct plan *alone, const struct physics_set *set,
                       const struct engine_passes *engine, const struct timers *timers,
                       const struct simulation *simulation) {
-    add_engine(&plan->begin, engine->first, timers, simulation);
+    add_engine(&plan->begin, engine->before_first, timers, simulation);
     add_place(&plan->begin, NULL, set, timers, PASS_FIRST);
     add_place(&plan->begin, NULL, set, timers, PASS_MOVE);
-    add_engine(&plan->begin, engine->moving, timers, simulation);
+    add_engine(&plan->begin, engine->before_moved, timers, simulation);
     add_place(&plan->begin, NULL, set, timers, PASS_MOVED);
-    add_engine(&plan->begin, engine->moved, timers, simulation);
-    add_engine(&plan->go_on, engine->first, timers, simulation);
+    add_engine(&plan->begin, engine->after_moved, timers, simulation);
+    add_engine(&plan->go_on, engine->before_first, timers, simulation);
     add_place(&plan->go_on, NULL, set, timers, PASS_FIRST);
-    add_engine(&plan->go_on, engine->moving, timers, simulation);
+    add_engine(&plan->go_on, engine->before_moved, timers, simulation);
     add_place(&plan->go_on, NULL, set, timers, PASS_MOVED);
-    add_engine(&plan->go_on, engine->moved, timers, simulation);
+    add_engine(&plan->go_on, engine->after_moved, timers, simulation);
     add_engine(&plan->exchange, engine->renew, timers, simulation);
     if (!ring_fits(set, &plan->moves))
         return;
@@ -117,7 +117,7 @@ static void ring_make(struct step_plan *plan, const struct plan *alone, const st
         add(&plan->ring, &alone->pass[p]);
     add_place(&plan->ring, NULL, set, timers, PASS_SHARES);
     add_place(&plan->ring, NULL, set, timers, PASS_CLOSE);
-    add_engine(&plan->ring, engine->paired, timers, simulation);
+    add_engine(&plan->ring, engine->after_close, timers, simulation);
     add_engine(&plan->ring, engine->settle, timers, simulation);
 }
 
@@ -125,24 +125,24 @@ void plan_make(struct step_plan *plan, const struct physics_set *set, const stru
                const struct timers *timers, const struct simulation *simulation) {
     struct plan alone = {0};
     *plan = (struct step_plan){0};
-    add_engine(&plan->plain, engine->first, timers, simulation);
+    add_engine(&plan->plain, engine->before_first, timers, simulation);
     add_place(&plan->plain, NULL, set, timers, PASS_FIRST);
     add_place(&plan->plain, NULL, set, timers, PASS_MOVE);
-    add_engine(&plan->plain, engine->moving, timers, simulation);
+    add_engine(&plan->plain, engine->before_moved, timers, simulation);
     add_place(&plan->plain, NULL, set, timers, PASS_MOVED);
-    add_engine(&plan->plain, engine->moved, timers, simulation);
+    add_engine(&plan->plain, engine->after_moved, timers, simulation);
     add_engine(&plan->plain, engine->renew, timers, simulation);
     add_place(&plan->forces, NULL, set, timers, PASS_PAIRS);
     add_place(&plan->forces, NULL, set, timers, PASS_SHARES);
-    add_engine(&plan->forces, engine->shared, timers, simulation);
+    add_engine(&plan->forces, engine->before_close, timers, simulation);
     add_place(&plan->forces, NULL, set, timers, PASS_CLOSE);
-    add_engine(&plan->forces, engine->paired, timers, simulation);
+    add_engine(&plan->forces, engine->after_close, timers, simulation);
     for (int p = 0; p < plan->forces.passes; p++)
         add(&plan->plain, &plan->forces.pass[p]);
 
-    add_engine(&plan->fused, engine->first, timers, simulation);
+    add_engine(&plan->fused, engine->before_first, timers, simulation);
     add_place(&plan->fused, NULL, set, timers, PASS_FIRST);
-    add_engine(&plan->fused, engine->moving, timers, simulation);
+    add_engine(&plan->fused, engine->before_moved, timers, simulation);
     add_place(&plan->fused, NULL, set, timers, PASS_MOVED);
     plan->moves.speed = set->speed;
     add_place(&plan->fused, &plan->moves, set, timers, PASS_MOVE);
@@ -151,9 +151,9 @@ void plan_make(struct step_plan *plan, const struct physics_set *set, const stru
     for (int p = 0; p < alone.passes; p++)
         add(&plan->fused, &alone.pass[p]);
     add_place(&plan->fused, NULL, set, timers, PASS_SHARES);
-    add_engine(&plan->fused, engine->shared, timers, simulation);
+    add_engine(&plan->fused, engine->before_close, timers, simulation);
     add_place(&plan->fused, NULL, set, timers, PASS_CLOSE);
-    add_engine(&plan->fused, engine->paired, timers, simulation);
+    add_engine(&plan->fused, engine->after_close, timers, simulation);
     ring_make(plan, &alone, set, engine, timers, simulation);
 }
 

@@ -67,12 +67,12 @@ struct step_plan {
 
 /* The engine's own passes between those of the physics; lists end with a NULL run. */
 struct engine_passes {
-    const struct engine_pass *first;  /* all orders: before PASS_FIRST */
-    const struct engine_pass *moving; /* all orders: before PASS_MOVED */
-    const struct engine_pass *moved;  /* plain and ring: after everything has moved */
-    const struct engine_pass *renew;  /* plain and ring: then */
-    const struct engine_pass *shared; /* plain and fused: before PASS_CLOSE */
-    const struct engine_pass *paired; /* all orders: after PASS_CLOSE */
+    const struct engine_pass *before_first; /* all orders: before PASS_FIRST */
+    const struct engine_pass *before_moved; /* all orders: before PASS_MOVED */
+    const struct engine_pass *after_moved;  /* plain and ring */
+    const struct engine_pass *renew;        /* plain and ring: then */
+    const struct engine_pass *before_close; /* plain and fused: before PASS_CLOSE */
+    const struct engine_pass *after_close;  /* all orders */
     const struct engine_pass
         *sweep; /* fused: from the first move to the last sum over pairs of the sweep's list */
     const struct engine_pass *ring, *settle; /* ring: the sums over pairs of the sweep's list; at the end */

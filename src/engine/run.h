@@ -29,7 +29,7 @@ struct run_options {
     const struct progress_series *series; /* borrowed, or NULL; if set, progress is shown although quiet */
 };
 
-/* Runs a scene to its end. Fills `report` if it is not NULL (the caller calls report_destroy). Returns the
+/* Runs a scene to its end, stage by stage (run_chain.c). Fills `report` if it is not NULL (the caller calls report_destroy). Returns the
  * status of the program: 0, or the kind of the error; ERROR_SIGNAL + number, without an error, if a signal
  * ended the run after a checkpoint. A signal that comes between two runs ends the second run. Collective. */
 int run_scene(const struct comm *comm, const struct scene *scene, const struct run_options *options,

@@ -1,8 +1,9 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* The life of a simulation:
  *
- *     simulation_create   scene -> law, walls, particles, domain, index; first rebuild, first forces
- *     step_run            one time step (step.h)
+ *     simulation_create   scene -> law, walls, particles, domain, index; first rebuild, first forces. Law and walls are made by
+ *                         grains_start (physics/grains/start.c), which the table of physics calls (physics_begin)
+ *     step_run            one time step (step.h); runs call it through checked_step (checked.h)
  *     rebuild_run         migrate, reorder, ghosts, index, pairs (rebuild.h), when step_run finds it due
  *     simulation_destroy */
 #ifndef SCREE_ENGINE_SIMULATION_H

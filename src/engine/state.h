@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
-/* The state of a simulation: everything that a run holds. The parts use each other only along the arrows of
- * docs/architecture.md; this struct joins all parts. simulation.h makes a simulation, step.h and rebuild.h
+/* The state of a simulation: everything that a run holds. The parts use each other only as the floors of
+ * docs/architecture.md allow; this struct joins all parts. simulation.h makes a simulation, step.h and rebuild.h
  * advance it. */
 #ifndef SCREE_ENGINE_STATE_H
 #define SCREE_ENGINE_STATE_H

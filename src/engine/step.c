@@ -9,14 +9,17 @@
  *     decide     whether a rebuild is due (one reduction, with several ranks)
  *     exchange   rebuild (rebuild.c), or new values for the copies
  *     contact    particle-particle forces, block by block
- *     wall       particle-wall forces, block by block
+ *     wall       particle-wall forces, each thread its share of the particles near walls
  *     caller     forces of a program that has the library (scree.h)
  *     finish     sums over threads, histories change places
  *     reverse    forces of copies are sent to the originals (newton on, several ranks)
  *
- * The other orders stand in order.h. All orders give the same bits. A step is fused unless a rebuild is due or to be expected
- * (docs/architecture.md). The lists of passes are made once from the scene, without passes that the scene
- * does not need.
+ * A box that moves adds the passes flow, box and stress. The passes of grains stand in physics/grains/grains_physics.c, the
+ * engine's own below.
+ *
+ * The other orders stand in order.h; all give the same bits. A step that nobody looks at has the ring order, if the scene has
+ * it; else a step is fused, unless a rebuild is due or to be expected; else plain (order_choose). The lists of passes are made
+ * once from the scene, without passes that the scene does not need.
  */
 #include "engine/step.h"
 #include "engine/order.h"
@@ -57,12 +60,13 @@ static bool needs_reverse(const struct simulation *s) {
     return !s->ranks.alone && s->scene->ghosts.newton;
 }
 
-static const struct engine_pass first[] = {{"flow", "a box that moves", "advance", needs_box, deform_flow},
-                                           {0}},
-                                moving[] = {{"box", "a box that moves", "advance", needs_box, deform_advance},
-                                            {0}};
+static const struct engine_pass before_first[] = {{"flow", "a box that moves", "advance", needs_box,
+                                                   deform_flow},
+                                                  {0}},
+                                before_moved[] = {
+                                    {"box", "a box that moves", "advance", needs_box, deform_advance}, {0}};
 
-static const struct engine_pass moved[] = {{"decide", NULL, "decide", NULL, decide_run}, {0}},
+static const struct engine_pass after_moved[] = {{"decide", NULL, "decide", NULL, decide_run}, {0}},
                                 renew[] = {{"exchange", NULL, "comm", NULL, exchange_run}, {0}};
 
 static void caller_run(struct simulation *s) {
@@ -73,21 +77,21 @@ static bool has_caller(const struct simulation *s) {
     return s->caller.force != NULL;
 }
 
-static const struct engine_pass shared[] = {
+static const struct engine_pass before_close[] = {
     {"caller", "a force of the calling program", "contact", has_caller, caller_run}, {0}};
 
-static const struct engine_pass paired[] = {
+static const struct engine_pass after_close[] = {
     {"stress", "a box that follows its stress", "comm", needs_stress, deform_control},
     {"reverse", "newton on, several ranks", "comm", needs_reverse, reverse_run},
     {0}};
 
 void step_plan(struct simulation *s) {
-    static const struct engine_passes own = {.first = first,
-                                             .moving = moving,
-                                             .moved = moved,
+    static const struct engine_passes own = {.before_first = before_first,
+                                             .before_moved = before_moved,
+                                             .after_moved = after_moved,
                                              .renew = renew,
-                                             .shared = shared,
-                                             .paired = paired,
+                                             .before_close = before_close,
+                                             .after_close = after_close,
                                              .sweep = order_sweep,
                                              .ring = order_ring,
                                              .settle = order_settle};

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* Writes or reads the fields of particles and the rows of contacts. Every dataset is a table of rows: the rows of a
- * rank lie together, in the order of the ranks. Read checkpoint_rows.h first. */
+ * rank lie together, in the order of the ranks. Read checkpoint_parts.h first. */
 #include "data/formats/checkpoint_parts.h"
 #include "data/formats/checkpoint_names.h"
 

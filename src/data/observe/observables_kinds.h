@@ -3,12 +3,13 @@
  * docs/output.md go.
  *
  * How to add an observable, in three steps:
- *   1. Write its function: `of_particle`, the part of one particle, or `of_rank`, this rank's part.
+ *   1. Write its function: `of_particle`, the part of one particle, or `of_rank`, this rank's part. One with a target that may be
+ *      a region begins with observables_item_counts, or counts all particles.
  *   2. Add its row: what concerns the whole run to observables_bulk.c or observables_state.c, a wall, a particle or a region
  *      to observables_single.c, fields of a physics to NAME_observables (physics_table.h). `relevant` says in
  *      which scenes a family has the row; a request by its name is always served, so the function must do
  *      without its field.
- *   3. `make pages` writes docs/output.md.
+ *   3. `make pages` writes docs/output.md. Tests: tests/mpi/test_observables.c, tests/app/observables.sh.
  * Velocities of the state are those of half a step before: observables_velocity gives those of the moment. */
 #ifndef SCREE_OBSERVE_OBSERVABLES_KINDS_H
 #define SCREE_OBSERVE_OBSERVABLES_KINDS_H

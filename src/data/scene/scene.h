@@ -1,11 +1,12 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
-/* The scene: all that a user sets, read from a YAML file against one schema (schema.h), as the option structs
+/* The scene: all that a user sets, read from a YAML file against one schema (schema_rows.h), as the option structs
  * of the modules by value, plus the data of the scene alone. No other module knows the file.
  *
  *     scene_text.h: the text of the file
  *         ->  scene_read.h, which calls the rest:
- *         ->  tree.h: nodes with lines, --set applied
- *         ->  schema_read.h: every key checked and stored
+ *         ->  tree.h: nodes with lines
+ *         ->  schema_normalise.h: short forms become long ones
+ *         ->  schema_read.h: --set, then every key checked and stored
  *         ->  finish.h: derived values
  *         ->  scene_check.h: combinations
  *     scene_particles.h: the particles of its sources
@@ -57,11 +58,11 @@ struct scene {
     int threads; /* 0: as many as OpenMP offers */
     enum scene_simd simd;
 
-    struct law_options law;
+    struct law_options law; /* key `contact`; law_prepare makes struct law from it */
     int materials;
     struct law_material material[LAW_MATERIALS_MAX];
     int pairs;
-    struct scene_pair *pair;   /* owned, as the next */
+    struct scene_pair *pair;   /* as read; finish.c makes law_pair from it; both owned */
     struct law_pair *law_pair; /* materials x materials (law_place_of), complete: input of law_prepare */
 
     int walls;

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
-/* Refuses what a box in motion cannot have. Read scene_check_box.h first. */
+/* Refuses what a box in motion cannot have. Read scene_check.h first. */
 #include "data/scene/scene_check.h"
 
 #include <math.h>

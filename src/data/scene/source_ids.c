@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
-/* Gives particles their ids. Read source_ids.h first. */
+/* Gives particles their ids. Read source_makers.h first. */
 #include "data/scene/source_makers.h"
 
 #include "base/memory.h"

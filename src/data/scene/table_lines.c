@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
-/* Reads the lines of a plain table and cuts them into words. Read table_lines.h first. */
+/* Reads the lines of a plain table and cuts them into words. Read source_makers.h first. */
 #include "data/scene/source_makers.h"
 
 #include "base/memory.h"

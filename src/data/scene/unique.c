@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
-/* Sorts keys and finds the first that occurs twice. Read unique.h first. */
+/* Sorts keys and finds the first that occurs twice. Read source_makers.h first. */
 #include "data/scene/source_makers.h"
 
 #include "base/memory.h"

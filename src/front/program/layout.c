@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
-/* Counts the particles and copies that each rank of a layout would hold. Read layout.h first. */
+/* Counts the particles and copies that each rank of a layout would hold. Read check_parts.h first. */
 #include "front/program/check_parts.h"
 #include "kernel/comm/copies.h"
 #include "kernel/comm/domain_grid.h"

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
-/* Single values of reports and tables. JSON is read as YAML, which includes JSON. Read lookup.h first. */
+/* Single values of reports and tables. JSON is read as YAML, which includes JSON. Read commands.h first. */
 #include "front/program/commands.h"
 #include "base/memory.h"
 #include "base/file.h"

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
-/* Writes the manual page and the completion of the shell. Read manual.h first. */
+/* Writes the manual page and the completion of the shell. Read commands.h first. */
 #include "front/program/commands.h"
 #include "front/program/command.h"
 #include "base/version.h"

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
-/* scree report: hands a folder and the scene of its run over to a script. Read page.h first. */
+/* scree report: hands a folder and the scene of its run over to a script. Read commands.h first. */
 #include "front/program/commands.h"
 #include "base/memory.h"
 #include "base/file.h"

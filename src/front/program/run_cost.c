@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
-/* Estimates the cost of a run. Read run_cost.h first. */
+/* Estimates the cost of a run. Read check_parts.h first. */
 #include "front/program/check_parts.h"
 #include "data/formats/wall_frames.h"
 #include "front/program/trial.h"

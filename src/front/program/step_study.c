@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
-/* The errors that examples/step-fraction.sh has found. Read step_study.h first. */
+/* The errors that examples/step-fraction.sh has found. Read check_parts.h first. */
 #include "front/program/check_parts.h"
 #include "physics/grains/laws/law_parts.h"
 #include "physics/grains/laws/law_table.h"

@@ -68,9 +68,11 @@ void interactions_set_margins(struct interactions *interactions, const struct si
 
 /* After `all` has been built for `view`: fills the lists of their own with the pairs that are near enough. Opens
  * its own team. */
-void interactions_follow(struct interactions *interactions, const struct box *box);
 void interactions_select(struct interactions *interactions, const struct size_classes *classes,
                          const struct index_view *view);
+
+/* After the box has moved: the shifts of all lists follow. */
+void interactions_follow(struct interactions *interactions, const struct box *box);
 
 /* Releases the pairs of all lists (pairlist_release). */
 void interactions_release(struct interactions *interactions);

@@ -5,7 +5,7 @@
 #include <stdio.h>
 #include <string.h>
 
-/* In `last`: all rows of the grain move after a block of this thread. */
+/* In `last`: all rows of the chunk move after a block of this thread. */
 #define RING_WHOLE (1u << 31)
 
 struct ring *ring_create(int threads) {
@@ -38,22 +38,22 @@ static void *grown(void *array, size_t *capacity, size_t count, size_t size) {
     return memory_allocate(*capacity, size, "plan of the ring");
 }
 
-/* Stores for each grain the last block of thread t that reads the grain. */
+/* Stores for each chunk the last block of thread t that reads the chunk. */
 static void lasts_find(struct ring_thread *thread, const struct pairlist *list, int t, size_t owned) {
     uint32_t *last = thread->last;
     for (int b = list->thread_block[t]; b < list->thread_block[t + 1]; b++) {
         const struct pair_block *block = &list->blocks[b];
         const uint32_t number = (uint32_t)(b - list->thread_block[t]);
-        for (uint32_t row = block->first_row; row < block->last_row; row += SWEEP_GRAIN)
-            last[row / SWEEP_GRAIN] = number;
+        for (uint32_t row = block->first_row; row < block->last_row; row += SWEEP_CHUNK)
+            last[row / SWEEP_CHUNK] = number;
         if (block->last_row > block->first_row)
-            last[(block->last_row - 1) / SWEEP_GRAIN] = number;
+            last[(block->last_row - 1) / SWEEP_CHUNK] = number;
         struct pair_visit pair = pairlist_block(b);
         while (pairlist_each(list, &pair)) {
             if (pair.j < owned)
-                last[pair.j / SWEEP_GRAIN] = number;
+                last[pair.j / SWEEP_CHUNK] = number;
             if (block->kind != PAIR_BLOCK_ROWS && pair.i < owned)
-                last[pair.i / SWEEP_GRAIN] = number;
+                last[pair.i / SWEEP_CHUNK] = number;
         }
     }
 }
@@ -63,59 +63,59 @@ static void ranges_sort(struct ring_thread *thread, const struct sweep_thread *p
     size_t *at = thread->start + 1;
     memset(thread->start, 0, (blocks + 2) * sizeof *thread->start);
     for (size_t r = 0; r < plan->late_count; r++)
-        at[thread->last[plan->late[r].first / SWEEP_GRAIN] + 1]++;
+        at[thread->last[plan->late[r].first / SWEEP_CHUNK] + 1]++;
     for (size_t b = 0; b < blocks; b++)
         at[b + 1] += at[b];
     for (size_t r = 0; r < plan->late_count; r++)
-        thread->range[at[thread->last[plan->late[r].first / SWEEP_GRAIN]]++] = plan->late[r];
+        thread->range[at[thread->last[plan->late[r].first / SWEEP_CHUNK]]++] = plan->late[r];
 }
 
-/* The end of the run of late ranges from `r` on that lie side by side in one grain. */
+/* The end of the run of late ranges from `r` on that lie side by side in one chunk. */
 static size_t grain_end(const struct sweep_range *late, size_t r, size_t end) {
-    uint32_t grain = late[r].first / SWEEP_GRAIN;
-    for (r++; r < end && late[r].first == late[r - 1].last && late[r].first / SWEEP_GRAIN == grain; r++)
+    uint32_t chunk = late[r].first / SWEEP_CHUNK;
+    for (r++; r < end && late[r].first == late[r - 1].last && late[r].first / SWEEP_CHUNK == chunk; r++)
         ;
     return r;
 }
 
-/* Gives records to the grains that the thread first reads in block b. */
+/* Gives records to the chunks that the thread first reads in block b. */
 static void records_take(struct ring_thread *thread, const struct sweep_thread *plan, size_t b,
                          size_t *free_count, int32_t *shift) {
     for (size_t r = plan->start[b], end; r < plan->start[b + 1]; r = end) {
         end = grain_end(plan->late, r, plan->start[b + 1]);
-        uint32_t grain = plan->late[r].first / SWEEP_GRAIN;
-        if (plan->late[end - 1].last - plan->late[r].first != SWEEP_GRAIN)
+        uint32_t chunk = plan->late[r].first / SWEEP_CHUNK;
+        if (plan->late[end - 1].last - plan->late[r].first != SWEEP_CHUNK)
             continue;
-        thread->last[grain] |= RING_WHOLE;
+        thread->last[chunk] |= RING_WHOLE;
         if (*free_count == 0)
             continue;
-        shift[grain] = ((int32_t)thread->free[--*free_count] - (int32_t)grain) * SWEEP_GRAIN;
+        shift[chunk] = ((int32_t)thread->free[--*free_count] - (int32_t)chunk) * SWEEP_CHUNK;
         thread->borrowed++;
     }
 }
 
-/* Takes back the records of the grains that move after block b. */
+/* Takes back the records of the chunks that move after block b. */
 static void records_leave(struct ring_thread *thread, size_t b, size_t *free_count, const int32_t *shift) {
     for (size_t r = thread->start[b]; r < thread->start[b + 1]; r++) {
-        uint32_t first = thread->range[r].first, grain = first / SWEEP_GRAIN;
-        if (first % SWEEP_GRAIN == 0 && (thread->last[grain] & RING_WHOLE))
-            thread->free[(*free_count)++] = (uint32_t)((int32_t)grain + shift[grain] / SWEEP_GRAIN);
+        uint32_t first = thread->range[r].first, chunk = first / SWEEP_CHUNK;
+        if (first % SWEEP_CHUNK == 0 && (thread->last[chunk] & RING_WHOLE))
+            thread->free[(*free_count)++] = (uint32_t)((int32_t)chunk + shift[chunk] / SWEEP_CHUNK);
     }
 }
 
 void ring_build(struct ring *ring, const struct sweep *sweep, const struct pairlist *list, size_t owned,
                 size_t all) {
-    size_t grains = all / SWEEP_GRAIN + 1;
+    size_t chunks = all / SWEEP_CHUNK + 1;
     ring->sweep = sweep;
-    ring->shift = grown(ring->shift, &ring->shift_capacity, grains, sizeof *ring->shift);
-    memset(ring->shift, 0, grains * sizeof *ring->shift);
+    ring->shift = grown(ring->shift, &ring->shift_capacity, chunks, sizeof *ring->shift);
+    memset(ring->shift, 0, chunks * sizeof *ring->shift);
 #pragma omp parallel for schedule(static, 1)
     for (int t = 0; t < ring->threads; t++) {
         struct ring_thread *thread = &ring->thread[t];
         const struct sweep_thread *plan = &sweep->thread[t];
         size_t blocks = (size_t)(list->thread_block[t + 1] - list->thread_block[t]), free_count = 0;
-        thread->last = grown(thread->last, &thread->last_capacity, grains, sizeof *thread->last);
-        thread->free = grown(thread->free, &thread->free_capacity, grains, sizeof *thread->free);
+        thread->last = grown(thread->last, &thread->last_capacity, chunks, sizeof *thread->last);
+        thread->free = grown(thread->free, &thread->free_capacity, chunks, sizeof *thread->free);
         thread->range =
             grown(thread->range, &thread->range_capacity, plan->late_count, sizeof *thread->range);
         thread->start = grown(thread->start, &thread->start_capacity, blocks + 2, sizeof *thread->start);

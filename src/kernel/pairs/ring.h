@@ -6,8 +6,8 @@
  * is the last block to read. Particles that move early in a fused sweep (sweep.h: other threads or ranks read them,
  * or walls act on them) move at the end, when all their shares are summed.
  *
- * Records. The force of particle k lies in record k + shift[k / SWEEP_GRAIN] of the array of forces. A grain whose rows all
- * belong to one thread and move after a block borrows the records of a grain that has moved already, the last one
+ * Records. The force of particle k lies in record k + shift[k / SWEEP_CHUNK] of the array of forces. A chunk whose rows all
+ * belong to one thread and move after a block borrows the records of a chunk that has moved already, the last one
  * that became free: its records are still in the cache, and zero, as a move clears them. All other particles and the
  * copies use their own records. So a thread touches few records again and again: as many as there are
  * particles between the first look at a particle and its last pair, about a layer of cells.
@@ -26,10 +26,10 @@
 struct ring_thread {
     struct sweep_range *range; /* as sweep_thread.late, in the order of the moves */
     size_t *start;   /* after block b of the thread range[start[b]] ... range[start[b + 1] - 1] move */
-    size_t borrowed; /* grains that have borrowed records */
+    size_t borrowed; /* chunks that have borrowed records */
     /* scratch, kept between rebuilds */
-    uint32_t *last; /* of each grain: the last block that reads it */
-    uint32_t *free; /* grains whose records are free, the last one on top */
+    uint32_t *last; /* of each chunk: the last block that reads it */
+    uint32_t *free; /* chunks whose records are free, the last one on top */
     size_t range_capacity, start_capacity, last_capacity, free_capacity;
 };
 
@@ -37,13 +37,13 @@ struct ring {
     int threads;
     const struct sweep *sweep; /* of the last ring_build; borrowed */
     struct ring_thread *thread;
-    int32_t *shift; /* of each grain of SWEEP_GRAIN particles, copies included */
+    int32_t *shift; /* of each chunk of SWEEP_CHUNK particles, copies included */
     size_t shift_capacity;
 };
 
 /* The record of particle k; shift NULL: its own. */
 static inline size_t ring_record(const int32_t *shift, uint32_t k) {
-    return shift ? (uint32_t)((int32_t)k + shift[k / SWEEP_GRAIN]) : k;
+    return shift ? (uint32_t)((int32_t)k + shift[k / SWEEP_CHUNK]) : k;
 }
 
 struct ring *ring_create(int threads);

@@ -84,12 +84,12 @@ static void *grown(void *array, size_t *capacity, size_t count, size_t size) {
     return memory_resize(array, *capacity, size, "plan of the sweep");
 }
 
-/* Stores for each grain the first block of thread t that reads the grain. The loop runs from the last block
+/* Stores for each chunk the first block of thread t that reads the chunk. The loop runs from the last block
  * back, so that the number of the first block remains. */
 static void uses_find(struct sweep_thread *thread, const struct pairlist *list, int t, size_t owned) {
-    size_t grains = owned / SWEEP_GRAIN + 1;
-    thread->use = grown(thread->use, &thread->use_capacity, grains, sizeof *thread->use);
-    memset(thread->use, 0xff, grains * sizeof *thread->use);
+    size_t chunks = owned / SWEEP_CHUNK + 1;
+    thread->use = grown(thread->use, &thread->use_capacity, chunks, sizeof *thread->use);
+    memset(thread->use, 0xff, chunks * sizeof *thread->use);
     uint32_t *use = thread->use;
     for (int b = list->thread_block[t + 1] - 1; b >= list->thread_block[t]; b--) {
         const struct pair_block *block = &list->blocks[b];
@@ -98,11 +98,11 @@ static void uses_find(struct sweep_thread *thread, const struct pairlist *list, 
         struct pair_visit pair = pairlist_block(b);
         while (pairlist_each(list, &pair))
             if (!ghosts || pair.j < owned)
-                use[pair.j / SWEEP_GRAIN] = number;
-        for (uint32_t row = block->first_row; row < block->last_row; row += SWEEP_GRAIN)
-            use[row / SWEEP_GRAIN] = number;
+                use[pair.j / SWEEP_CHUNK] = number;
+        for (uint32_t row = block->first_row; row < block->last_row; row += SWEEP_CHUNK)
+            use[row / SWEEP_CHUNK] = number;
         if (block->last_row > block->first_row)
-            use[(block->last_row - 1) / SWEEP_GRAIN] = number;
+            use[(block->last_row - 1) / SWEEP_CHUNK] = number;
     }
 }
 
@@ -133,10 +133,10 @@ static uint32_t range_end(const uint8_t *early, uint32_t first, uint32_t end) {
     return last;
 }
 
-/* Cuts the rows of a block into ranges of one grain, early or late. */
+/* Cuts the rows of a block into ranges of one chunk, early or late. */
 static void ranges_cut(struct sweep_thread *thread, const uint8_t *early, const struct pair_block *block) {
     for (uint32_t first = block->first_row; first < block->last_row;) {
-        uint32_t grain_end = (first / SWEEP_GRAIN + 1) * SWEEP_GRAIN;
+        uint32_t grain_end = (first / SWEEP_CHUNK + 1) * SWEEP_CHUNK;
         uint32_t end = grain_end < block->last_row ? grain_end : block->last_row;
         uint32_t last = range_end(early, first, end);
         range_add(thread, early[first], (struct sweep_range){first, last, block->size_class});
@@ -150,11 +150,11 @@ static void ranges_sort(struct sweep_thread *thread, size_t blocks) {
     memset(thread->start, 0, (blocks + 2) * sizeof *thread->start);
     size_t *at = thread->start + 1;
     for (size_t r = 0; r < thread->late_count; r++)
-        at[thread->use[thread->unsorted[r].first / SWEEP_GRAIN] + 1]++;
+        at[thread->use[thread->unsorted[r].first / SWEEP_CHUNK] + 1]++;
     for (size_t b = 0; b < blocks; b++)
         at[b + 1] += at[b];
     for (size_t r = 0; r < thread->late_count; r++)
-        thread->late[at[thread->use[thread->unsorted[r].first / SWEEP_GRAIN]]++] = thread->unsorted[r];
+        thread->late[at[thread->use[thread->unsorted[r].first / SWEEP_CHUNK]]++] = thread->unsorted[r];
 }
 
 void sweep_build(struct sweep *sweep, const struct pairlist *list, size_t owned,

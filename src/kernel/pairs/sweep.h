@@ -14,15 +14,15 @@
  * it moves; so each contribution of this step comes after. The order of contributions is that of the plain
  * order: the same bits.
  *
- * Ranges, not particles: the rows of a thread are cut at multiples of SWEEP_GRAIN and where early and late
- * meet; a grain moves as a whole, with its first use. Up to SWEEP_GAP late rows between early ones move with
+ * Ranges, not particles: the rows of a thread are cut at multiples of SWEEP_CHUNK and where early and late
+ * meet; a chunk moves as a whole, with its first use. Up to SWEEP_GAP late rows between early ones move with
  * these. */
 #ifndef SCREE_PAIRS_SWEEP_H
 #define SCREE_PAIRS_SWEEP_H
 
 #include "kernel/pairs/pairlist.h"
 
-enum { SWEEP_GRAIN = 256, SWEEP_GAP = 16 };
+enum { SWEEP_CHUNK = 256, SWEEP_GAP = 16 };
 
 /* Particles first ... last-1, of one size class and one thread. */
 struct sweep_range {
@@ -37,7 +37,7 @@ struct sweep_thread {
     size_t *start; /* block b of the thread (0: its first) moves late[start[b]] ... late[start[b + 1] - 1] */
     /* scratch, kept between rebuilds */
     struct sweep_range *unsorted;
-    uint32_t *use; /* of each grain: the first block that reads the grain */
+    uint32_t *use; /* of each chunk: the first block that reads the chunk */
     size_t early_capacity, late_capacity, start_capacity, use_capacity;
 };
 

@@ -7,7 +7,7 @@
  * allocation, growth, reorder, packing for MPI, HDF5 and the docs.
  *
  * Velocity is that of the last half step, v(n-1/2): it led to the present positions. Full-step values are
- * made for output from v + dt/2 f/m (integrate/). Forces are those at the present positions. */
+ * made for output from v + dt/2 f/m (physics/grains/motion/integrator.h). Forces are those at the present positions. */
 #ifndef SCREE_PARTICLES_PARTICLES_H
 #define SCREE_PARTICLES_PARTICLES_H
 

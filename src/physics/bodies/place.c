@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* From grains to bodies: the grain becomes the particle of the body, and its members are appended. The first rebuild
- * brings members to the ranks that own their places. Read place.h first. */
+ * brings members to the ranks that own their places. Read bodies_parts.h first. */
 #include "physics/bodies/bodies_parts.h"
 #include "physics/grains/grains.h"
 #include "physics/bodies/bodies_fields.h"

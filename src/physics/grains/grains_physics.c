@@ -46,8 +46,8 @@ static double advance(const struct physics_context *context, int thread, size_t 
     if (context->classes->kind[size_class] != KIND_GRAIN)
         return 0;
     struct particles particles = *context->particles;
-    if (ring) /* rows of one grain of the sweep */
-        particles.force += ring->shift[first / SWEEP_GRAIN] * (ptrdiff_t)particles.force_stride;
+    if (ring) /* rows of one chunk of the sweep */
+        particles.force += ring->shift[first / SWEEP_CHUNK] * (ptrdiff_t)particles.force_stride;
     double v2 = integrator_advance(&particles, &grains->motion, first, last);
     return context->box->motion.moves ? speed_from_flow(context, first, last, 0 * v2) : v2;
 }

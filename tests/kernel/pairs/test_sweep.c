@@ -88,7 +88,7 @@ static void check_gaps(const struct sweep *sweep, const struct pairlist *list) {
         const struct sweep_thread *thread = &sweep->thread[t];
         for (size_t r = 1; r < thread->early_count; r++) {
             uint32_t before = thread->early[r - 1].last, first = thread->early[r].first;
-            bool apart = first / SWEEP_GRAIN != (before - 1) / SWEEP_GRAIN ||
+            bool apart = first / SWEEP_CHUNK != (before - 1) / SWEEP_CHUNK ||
                          block_of_row(list, first) != block_of_row(list, before - 1);
             assert_true(apart || first > before + SWEEP_GAP);
         }
@@ -164,7 +164,7 @@ static void test_wrong_plan(void **state) {
 /* A row of spheres, in order: forces borrow records, and a plan in which they must not is told from a right one. */
 static void test_records(void **state) {
     (void)state;
-    enum { ROW = 40 * SWEEP_GRAIN };
+    enum { ROW = 40 * SWEEP_CHUNK };
     for (int threads = 1; threads <= 3; threads++) {
         struct cloud c = {.box = {.dimension = 3, .edge = {ROW, 9, 9}}, .particles = particles_create(ROW)};
         struct sweep *sweep = sweep_create(threads);
@@ -186,12 +186,12 @@ static void test_records(void **state) {
         size_t borrowed = 0, again = 0;
         for (int t = 0; t < threads; t++)
             borrowed += ring->thread[t].borrowed;
-        for (size_t g = 1; g < ROW / SWEEP_GRAIN; g++)
+        for (size_t g = 1; g < ROW / SWEEP_CHUNK; g++)
             again += ring->shift[g] != 0;
         assert_int_equal(borrowed, again);
-        assert_true(borrowed >= ROW / SWEEP_GRAIN - 6 * (size_t)threads);
+        assert_true(borrowed >= ROW / SWEEP_CHUNK - 6 * (size_t)threads);
         ring->shift[1] =
-            -SWEEP_GRAIN; /* the records of the grain before, which still waits for its last pair */
+            -SWEEP_CHUNK; /* the records of the grain before, which still waits for its last pair */
         assert_false(ring_valid(ring, sweep, c.list, ROW, ROW, why, sizeof why));
         ring->shift[1] = 0;
         assert_true(ring_valid(ring, sweep, c.list, ROW, ROW, why, sizeof why));

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
-/* Open sides that contradict each other, or the lattice. Read lattice_fill_open.h first. */
+/* Open sides that contradict each other, or the lattice. Read lattice_fill_parts.h first. */
 #include "physics/fluid/lattice/lattice_fill_parts.h"
 #include "base/memory.h"
 #include "physics/fluid/schemes/open_sides.h"

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
-/* Marks of meshes and open sides. Read surface_marks.h first. */
+/* Marks of meshes and open sides. Read lattice_fill_parts.h first. */
 #include "physics/fluid/lattice/lattice_fill_parts.h"
 #include "physics/grains/grains.h"
 #include "base/memory.h"

@@ -83,7 +83,7 @@ LAW_INLINE void force_respond(struct law_case law, struct force_batch *b, int k,
                              .velocity = force_vector(b->velocity, k),
                              .coefficients = force_coefficients_of(b, k),
                              .radius = b->effective[k]};
-    if (law.given)
+    if (law.users)
         in.springs = (struct law_springs){.force = b->springs[0][k],
                                           .stiffness = b->springs[1][k],
                                           .tangential = b->springs[2][k],
@@ -211,12 +211,12 @@ FORCE_PHYSICS_FAMILY(force_measure_all, force_measure_both, .radius = true, .lev
 #define FORCE_LAW_CASES(name, ...)                                                                           \
     FORCE_PHYSICS_FAMILY(force_respond_all, force_##name, __VA_ARGS__)                                       \
     FORCE_PHYSICS_FAMILY(force_respond_all, force_##name##_energies, __VA_ARGS__, .energies = true)          \
-    FORCE_PHYSICS_FAMILY(force_respond_all, force_##name##_given, __VA_ARGS__, .coefficient = true)          \
-    FORCE_PHYSICS_FAMILY(force_respond_all, force_##name##_given_energies, __VA_ARGS__, .coefficient = true, \
-                         .energies = true)
+    FORCE_PHYSICS_FAMILY(force_respond_all, force_##name##_given, __VA_ARGS__, .damping_given = true)        \
+    FORCE_PHYSICS_FAMILY(force_respond_all, force_##name##_given_energies, __VA_ARGS__,                      \
+                         .damping_given = true, .energies = true)
 #define FORCE_LAW(NAME, name, traits, summary) FORCE_LAW_CASES(name, .normal = LAW_##NAME)
 #define FORCE_LAW_GIVEN(NAME, name, traits, summary)                                                         \
-    FORCE_LAW_CASES(name, .normal = LAW_##NAME, .given = true)
+    FORCE_LAW_CASES(name, .normal = LAW_##NAME, .users = true)
 LAW_BUILT_TABLE(FORCE_LAW)
 LAW_GIVEN_TABLE(FORCE_LAW_GIVEN)
 
@@ -246,7 +246,7 @@ static inline force_physics *force_rub_find(const struct law_options *options) {
 
 static inline force_physics *force_respond_find(const struct law_options *options, bool energies) {
     struct law_case law = law_case_of(options, energies);
-    return force_respond_table[law.normal][law.coefficient][energies][force_friction_of(law)];
+    return force_respond_table[law.normal][law.damping_given][energies][force_friction_of(law)];
 }
 
 #endif

@@ -31,7 +31,7 @@
 /* The case of a law that a loop is specialised for: compile-time constants in that loop. */
 struct law_case {
     enum law_normal normal; /* the law of the table */
-    bool coefficient;       /* the damper is a coefficient times the effective mass; else from the
+    bool damping_given;     /* the damper is a coefficient times the effective mass; else from the
                           restitution */
     bool friction;          /* a tangential spring with history */
     bool rolling;           /* a rolling spring with history */
@@ -39,7 +39,7 @@ struct law_case {
     bool radius;            /* the springs depend on the effective radius */
     bool lever_radius;      /* the lever is r (LAMMPS's), else r - overlap / 2 */
     bool energies;          /* fill the three energies of the response */
-    bool given;             /* the springs are those of the contact: a law of the user's */
+    bool users;             /* the springs are those of the contact: a law of the user's */
 };
 
 /* The numbers common to all contacts of one evaluation; from law_step_of. */
@@ -98,12 +98,12 @@ LAW_INLINE struct law_case law_case_of(const struct law_options *options, bool e
         friction && (options->rolling != LAW_ROLLING_NONE || options->twisting != LAW_TWISTING_NONE);
     bool empty = law_has_trait(options->normal, "file") && options->user == NULL;
     return (struct law_case){.normal = empty ? law_linear() : options->normal,
-                             .coefficient = law_damping_form_of(options->damping)->given,
+                             .damping_given = law_damping_form_of(options->damping)->given,
                              .friction = friction,
                              .rolling = rolling,
                              .synchronised = options->synchronised,
                              .radius = rolling || law_form_of(options)->radius,
-                             .given = options->user != NULL,
+                             .users = options->user != NULL,
                              .lever_radius = options->lammps_history,
                              .energies = energies};
 }
@@ -178,8 +178,8 @@ LAW_INLINE struct law_response law_respond(struct law_case law, struct law_step 
                                            const struct law_contact *in) {
     struct law_response out = {0};
     struct law_springs springs =
-        law.given ? in->springs : law_springs(law.normal, &in->coefficients, in->radius, in->overlap);
-    double base = law.coefficient ? in->mass * springs.contact : sqrt(in->mass * springs.stiffness);
+        law.users ? in->springs : law_springs(law.normal, &in->coefficients, in->radius, in->overlap);
+    double base = law.damping_given ? in->mass * springs.contact : sqrt(in->mass * springs.stiffness);
     double rate = law_dot(in->velocity, in->normal);
     double force = springs.force - in->coefficients.c_n * base * rate;
     force = force <= step.force_least ? step.force_least : force; /* a force that is no number stays one */

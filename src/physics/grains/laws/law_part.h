@@ -12,7 +12,16 @@
  *
  * A cohesion also states as KIND_NAME_NUMBERS what its formula takes, made once from the coefficients: these are the members of
  * struct KIND_NAME, and columns of the loop over contacts (src/physics/grains/batch/force_grip.h). The range, KIND_NAME_range, is no less for larger
- * numbers: that of all pairs of materials is found from the largest of each. */
+ * numbers: that of all pairs of materials is found from the largest of each. The whole of a cohesion that pulls beside the springs:
+ *
+ *     const char *cohesion_NAME_wrong(given)               what is wrong with these values together; NULL: nothing
+ *     struct cohesion_NAME cohesion_NAME_of(c, given)      the numbers of a pair of materials
+ *     double cohesion_NAME_range(numbers, effective)       the largest gap at which it acts, >= 0
+ *     struct law_pull cohesion_NAME_pull(numbers, radii, overlap)
+ *     double cohesion_NAME_energy(numbers, radii, overlap) <= 0; its slope is -force
+ *     struct law_cohesion_form cohesion_NAME_form          properties; step_error by examples/step-fraction.sh
+ *
+ * One that takes the place of the springs (jkr alone so far) has _sticks, _grip and _last instead of _pull and _energy. */
 #ifndef SCREE_LAWS_LAW_PART_H
 #define SCREE_LAWS_LAW_PART_H
 

@@ -9,11 +9,13 @@
  *
  * How to add a part:
  *
- *   1. Write laws/parts/KIND_NAME.h like its neighbours (physics/grains/laws/parts/cohesion_dmt.h is the shortest
+ *   1. Write src/physics/grains/laws/parts/KIND_NAME.h like its neighbours (physics/grains/laws/parts/cohesion_dmt.h is the shortest
  *      cohesion): law_part.h says what it states.
  *      The functions of the pull of a cohesion are arithmetic without branches.
  *   2. Include it here, and add a row to the table of its kind: LAW_PULL_TABLE for a cohesion that pulls beside the springs.
- *   3. `make pages` writes its keys to docs/scene.md; describe the formula with its source in docs/physics.md.
+ *   3. `make pages` writes its keys to docs/scene.md; describe the formula with its source in docs/physics.md, and name the part in
+ *      README.md, "More than dry grains".
+ *   4. examples/step-fraction.sh finds the errors of a cohesion's impacts, its `step_error`; zeros: `scree check` knows none.
  *
  * The scene's names and keys, the check of ranges and of what combines, the loops of all instruction sets, the range of the
  * search, the help and `scree check` then know the part. tests/physics/grains/laws/test_law_parts.c compares each cohesion's force with the slope of its
