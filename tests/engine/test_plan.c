@@ -85,7 +85,7 @@ static void lists_fill(struct two_lists *lists) {
 static void make(struct step_plan *plan, struct physics_set *set, struct timers *timers,
                  const struct physics *first, struct two_lists *lists, struct calls calls[3]) {
     static const struct engine_pass none[] = {{0}};
-    static const struct engine_passes engine = {.moved = none};
+    static const struct engine_passes engine = {.after_moved = none};
     const struct physics *rows[] = {first, &age, &far};
     lists_fill(lists);
     memset(calls, 0, 3 * sizeof *calls);
