@@ -44,6 +44,17 @@ skip() {
     echo "skipped: $*"
 }
 
+# take SCENE FEATURE...: `flags` gets the settings of features, lines of `sets[FEATURE]`, or of `sets[FEATURE-SCENE]` where this is there
+take() {
+    local scene=$1 feature line
+    shift
+    flags=()
+    for feature; do
+        [ -z "${sets[$feature-$scene]:-}" ] || feature=$feature-$scene
+        while IFS= read -r line; do flags+=(--set "$line"); done <<<"${sets[$feature]}"
+    done
+}
+
 # finish: the count, and the exit status
 finish() {
     echo "$checks checks, $failures failed"

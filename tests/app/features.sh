@@ -110,17 +110,6 @@ sets[thornton]+=$'\ncontact.law=thornton\nmaterial_pairs[0].yield_pressure=500'
 sets[eepa]+=$'\ncontact.law=eepa\nmaterial_pairs[0].plasticity_ratio=0.5\nmaterial_pairs[0].adhesion_energy=1'
 sets[jkr]+=$'\ncontact.cohesion=jkr\nmaterial_pairs[0].surface_energy=3'
 
-# take SCENE FEATURE...: `flags` gets what they set
-take() {
-    local scene=$1 feature line
-    shift
-    flags=()
-    for feature; do
-        [ -z "${sets[$feature-$scene]:-}" ] || feature=$feature-$scene
-        while IFS= read -r line; do flags+=(--set "$line"); done <<<"${sets[$feature]}"
-    done
-}
-
 # everywhere SCENE FEATURE...: the same bits on other layouts, and after a resume
 everywhere() {
     local scene=$1 flags

@@ -59,17 +59,6 @@ stages=[{name: one, duration: 1.2}, {name: two, duration: 0.8, set: {gravity: [0
 stages=[{name: one, duration: 1.2}, {name: two, duration: 0.8, set: {gravity: [0.5, -1]}}]'
 )
 
-# take SCENE NAME...: `flags` gets what they set
-take() {
-    local scene=$1 name line
-    shift
-    flags=()
-    for name; do
-        [ -z "${sets[$name-$scene]:-}" ] || name=$name-$scene
-        while IFS= read -r line; do flags+=(--set "$line"); done <<<"${sets[$name]}"
-    done
-}
-
 # sound DIR: overlaps stay small, the 38 particles are there but for those that came and went, and unless some did energy does not but
 # for the work of grains with a given motion
 sound() {
