@@ -50,7 +50,6 @@
 #include "data/formats/restart.h"
 #include "kernel/pairs/history.h"
 #include "kernel/pairs/interaction.h"
-#include "kernel/pairs/ring.h"
 #include "kernel/pairs/history_rows.h"
 #include "kernel/particles/fields.h"
 #include "physics_table.h"
@@ -63,8 +62,6 @@ enum { PHYSICS_INTERACTIONS_MAX = 4 };
 struct evaluation {
     double dt;         /* time since the evaluation before; 0: the forces of a given state, memories stay */
     bool sums, virial; /* energies are wanted, and the work of forces on distances */
-    const struct ring
-        *ring; /* a step in ring order: particles borrow force records (kernel/pairs/ring.h); else NULL */
 };
 
 /* The parts of a run that a physics may use. Borrowed; lists, classes and ghosts are those of the last
@@ -98,7 +95,8 @@ enum pass_place {
     PASS_PAIRS,  /* forces and other sums over pairs: passes by block */
     PASS_SHARES, /* effects on single particles: passes by thread */
     PASS_CLOSE,  /* sums over threads; then the engine sends REVERSE fields of copies to originals */
-    PASS_LOOK    /* not in the step, but before output and observables, if any are due */
+    PASS_LOOK,   /* not in the step, but before output and observables, if any are due */
+    PASS_PLACES
 };
 
 /* A pass of a step. Exactly one of whole, rows, block and share is given. */
@@ -106,14 +104,9 @@ struct physics_pass {
     const char *name;
     const char *why; /* the reason in the scene for this pass; NULL: always there */
     enum pass_place place;
-    const char *does;  /* its work in a few words, for the report's description of its stage */
-    const char *timer; /* stage of the report for the time (stages.h); NULL: named as the pass */
-    /* Names of fields, as "position velocity": shown to people, and the reason for which a scene has or has not the
-     * ring order (plan.h). */
-    const char *reads, *writes;
-    bool
-        at_end; /* of the fields that moves read and write it touches only those of particles that move at the end
-                    of a step in ring order (kernel/pairs/ring.h) */
+    const char *does;           /* its work in a few words, for the report's description of its stage */
+    const char *timer;          /* stage of the report for the time (stages.h); NULL: named as the pass */
+    const char *reads, *writes; /* names of fields, as "position velocity": shown to people */
     bool (*needed)(const struct physics_context *context); /* NULL: always */
     /* Called once; opens its own teams of threads. */
     void (*whole)(const struct physics_context *context);
@@ -266,8 +259,6 @@ struct physics_mover {
     void (*why)(const struct physics_context *context, char *text, size_t room);
     /* The fraction of the stable step that a run takes if its scene gives none. NULL: 1. */
     double (*fraction)(void);
-    /* The largest overlap over the smaller radius in the last evaluation; INFINITY: not known. NULL: 0. */
-    double (*overlap)(const struct physics_context *context);
     /* Sides of contacts in the last evaluation. NULL: none. */
     size_t (*contacts)(const struct physics_context *context);
     /* Adds this rank's sums of the last evaluation, for which evaluation->virial was set: without rounding to `exact`,
@@ -289,8 +280,6 @@ struct physics_obstacles {
     double (*displacement)(const struct physics_context *context);
     /* Work on grains since the start, this rank's part. */
     double (*work)(const struct physics_context *context);
-    /* The owned particles that feel them, increasing; borrowed. Returns how many. */
-    size_t (*near)(const struct physics_context *context, const uint32_t **number);
     /* True if `search`, `detach` and `attach` are needed. `search` runs in a rebuild, once particles have their places. */
     bool (*needed)(const struct physics_context *context);
     void (*search)(const struct physics_context *context);

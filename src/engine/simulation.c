@@ -162,7 +162,6 @@ void simulation_destroy(struct simulation **simulation) {
     team_end(&s->team);
     deform_free(s);
     sweep_destroy(&s->search.sweep);
-    ring_destroy(&s->order.ring);
     skin_destroy(&s->search.skin);
     physics_free(&s->physics);
     interactions_free(&s->search.interactions);
