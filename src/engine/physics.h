@@ -243,16 +243,16 @@ enum { STRESS_SUMS = 7 };
  *
  * The passes at PASS_MOVE of a mover do what integrator_advance does for grains (physics/grains/motion/integrator.h): they
  * move the particles, set the force record of each to zero, give prescribed groups their motion and leave carried grains to
- * their carrier, and leave z as it is in two dimensions. Files and observables show v + dt/2 (f/m + g) as the velocity: the one
- * that is stored is that of half a step before. */
+ * their carrier, and leave z as it is in two dimensions. tests/mpi/test_mover.c has a whole one in 40 lines. */
 struct physics_mover {
     /* The evaluation that follows, or the length of steps, is another one: context->evaluation, context->clock. */
     void (*prepare)(const struct physics_context *context);
-    /* After the forces of the state from which a run starts; moves the velocities back by half a step. Resumed runs do without.
-     * Collective. */
+    /* After the forces of the state from which a run starts. Resumed runs do without. Collective. */
     void (*begin)(const struct physics_context *context);
-    /* Moves the velocities of grains back by half of `dt`, under the present forces: where the length of steps changes. */
-    void (*shift)(const struct physics_context *context, double dt);
+    /* Moves the velocities of grains back by half of `dt`, under the present forces: after `begin`, and where the length of
+     * steps changes. The stored velocities are then those of half a step before, and files and observables show
+     * v + dt/2 (f/m + g). NULL: the stored velocities are those of the full step, and are shown as they are. */
+    void (*stagger)(const struct physics_context *context, double dt);
     /* The largest stable step for what may come, from the particles at the start; INFINITY: any. Collective. `why`
      * writes the cause. NULL: any. */
     double (*expected)(const struct physics_context *context);

@@ -73,6 +73,8 @@ static bool run_begin(struct simulation *s, struct error *error) {
     step_forces(s);
     if (mover->row->mover->begin)
         mover->row->mover->begin(&mover->context);
+    if (mover->row->mover->stagger)
+        mover->row->mover->stagger(&mover->context, s->clock.dt);
     return true;
 }
 

@@ -221,14 +221,14 @@ static void restart(const struct physics_context *context, struct restart *list)
 static void prepare(const struct physics_context *context) {
     struct grains *grains = context->self;
     const struct evaluation *evaluation = context->evaluation;
-    grains->motion.dt = context->clock->dt;
+    grains->motion.dt = context->set->mover->row->mover->stagger ? context->clock->dt : 0;
     grains->contact.list = context->list[0];
     grains->contact.dt = evaluation->dt;
     grains->contact.want_virial = evaluation->virial;
     grains->contact.want_sums = evaluation->sums || evaluation->virial || grains->contact.want_work;
 }
 
-static void shift(const struct physics_context *context, double dt) {
+static void stagger(const struct physics_context *context, double dt) {
     const struct grains *grains = context->self;
     struct kind_span all = {0, context->particles->owned};
     struct integrator_context motion = grains->motion;
@@ -247,7 +247,6 @@ static void begin(const struct physics_context *context) {
     grains->taken = 0;
     grains->stable.overlap_started = grains->sums.overlap_max;
     comm_max(context->comm, &grains->stable.overlap_started, 1);
-    shift(context, context->clock->dt);
 }
 
 static size_t contacts(const struct physics_context *context) {
@@ -291,7 +290,7 @@ static void report(const struct physics_context *context, struct report_part *pa
 
 static const struct physics_mover mover = {.prepare = prepare,
                                            .begin = begin,
-                                           .shift = shift,
+                                           .stagger = stagger,
                                            .expected = stable_find,
                                            .why = stable_why,
                                            .fraction = timestep_default_fraction,
