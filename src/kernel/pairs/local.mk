@@ -10,7 +10,7 @@ libpairs_la_SOURCES = \
 libpairs_la_CPPFLAGS = $(AM_CPPFLAGS) $(KERNEL_CPPFLAGS)
 libpairs_la_LIBADD = libwalk_baseline.la
 
-# The stages of the walk, once for each instruction set
+# The operations of the walk, once for each instruction set
 WALK_SOURCES = %D%/walk_block.c
 noinst_LTLIBRARIES += libwalk_baseline.la
 libwalk_baseline_la_SOURCES = $(WALK_SOURCES)

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
-/* The memory and the order of a walk over pairs; the stages of a block are in walk_block.c. */
+/* The memory and the order of a walk over pairs; the operations on a block are in walk_block.c. */
 #include "kernel/pairs/walk.h"
 #include "base/memory.h"
 #include "kernel/pairs/walk_kernel.h"

@@ -3,7 +3,7 @@
  * A loop that needs no batch, as most of a rebuild and of output do, uses pairlist_each (pairlist.h). The fluid
  * makes rows of both sides (pair_rows_build).
  *
- * A block of the list (pairlist.h) goes through these stages:
+ * A block of the list (pairlist.h) goes through these operations:
  *
  *   filter     distances of four pairs at a time against the cut-off; numbers of near pairs are collected
  *
@@ -32,7 +32,7 @@
  *   7. Fields beyond the gathered ones are read in `compute` by the numbers i[k] and j[k].
  *
  * Entries of a batch lie in the order of the pairs. Separations are formed as (x_j - x_i) + shift, so that a
- * pair and its mirrored copy have exactly opposite ones. The stages are compiled for several instruction sets
+ * pair and its mirrored copy have exactly opposite ones. The operations are compiled for several instruction sets
  * (walk_block.c), and the best that the CPU has is taken at run time; all give the same bits: no sum depends
  * on the vector length, and nothing is contracted into fused operations. */
 #ifndef SCREE_PAIRS_WALK_H
@@ -54,7 +54,7 @@ enum {
     WALK_VALUES_MAX = 8
 };
 
-/* Near pairs on their way through the stages. Entry k of each array belongs to pair k; loops may run to the
+/* Near pairs on their way through the operations. Entry k of each array belongs to pair k; loops may run to the
  * next multiple of WALK_LANES (`padded`): the entries from `count` on repeat the last one. */
 struct walk_batch {
     double record[WALK_BATCH][8];                       /* x_j - x_i, r_i + r_j, v_j - v_i, 1/m_i + 1/m_j */

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
-/* One block of the pair list through the stages of walk.h. Compiled once for each instruction set, under the
+/* One block of the pair list through the operations of walk.h. Compiled once for each instruction set, under the
  * name that WALK_KERNEL gives. Read walk.h first. */
 #include "kernel/pairs/walk_filter.h"
 #include "kernel/pairs/walk_history.h"
@@ -233,7 +233,7 @@ static inline __attribute__((always_inline)) void walk_flush(const struct walk_t
     memmove(thread->candidate, thread->candidate + count, thread->candidates * sizeof thread->candidate[0]);
 }
 
-/* Takes the block through the stages, with constants for the results and the history of a pair. */
+/* Takes the block through the operations, with constants for the results and the history of a pair. */
 static inline __attribute__((always_inline)) void walk_through(const struct walk_task *task,
                                                                enum walk_scatter scatter, int components) {
     const struct walk_view view = walk_view_of(task);

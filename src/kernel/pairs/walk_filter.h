@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
-/* The first stage of a block (walk.h): the near pairs become candidates. Included by walk_block.c alone, which is
+/* The first operation on a block (walk.h): the near pairs become candidates. Included by walk_block.c alone, which is
  * compiled for several instruction sets. */
 #ifndef SCREE_PAIRS_WALK_FILTER_H
 #define SCREE_PAIRS_WALK_FILTER_H
