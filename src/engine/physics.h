@@ -416,6 +416,12 @@ void physics_energies(const struct physics_set *set, struct physics_energy *ener
 /* True if the set's obstacles are there and take part. */
 bool physics_meets(const struct physics_set *set);
 
+/* Sides of contacts in the last evaluation of forces, this rank's. */
+int64_t physics_contact_sides(const struct physics_set *set);
+
+/* True if a sphere at x (box-relative) would overlap an obstacle. Any thread. */
+bool physics_occupied(const struct physics_set *set, const double x[3], double radius);
+
 /* Calls `full_step` of all physics. Collective. */
 void physics_full_step(const struct physics_set *set);
 

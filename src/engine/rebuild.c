@@ -169,7 +169,7 @@ static void balance(struct simulation *s, struct rebuild_rows *rows) {
 
 static void detach(struct simulation *s, struct rebuild_rows *rows) {
     bool given = s->sources.given.added > 0 || s->sources.given.taken > 0;
-    bool none_lost = !given && !sources_due(s) && !simulation_may_lose(s);
+    bool none_lost = !given && !sources_due(s) && !box_may_lose(&s->box);
     bool keeps = s->search.history && none_lost && one_image(s);
     if (!keeps)
         rebuild_detach(s, !s->ranks.alone, rows);
@@ -193,7 +193,7 @@ static void wrap(struct simulation *s, struct rebuild_rows *rows) {
     struct box box;
     ghosts_drop(s->ranks.ghosts, s->particles);
     if (s->box.motion.moves)
-        deform_settle(s);
+        deform_settle(&s->box, s->ranks.domain);
     box = s->box;
     for (int d = 0; d < 3 && rows->stays; d++)
         box.periodic[d] = box.periodic[d] && s->ranks.wrap[d];

@@ -55,7 +55,7 @@ struct timing {
 
 /* Edges and shear of the box that follow the stress (deform.c). */
 struct box_servo {
-    bool on;
+    bool on, shears;                    /* the shear follows it, too */
     double mass;                        /* of all particles */
     double bound;                       /* largest rate of an edge, 1/time, for a target of 1 */
     double drift;                       /* the part of the rate of the shear that adds up, 1/time */
