@@ -1,137 +1,139 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
-/* From the nearest points of two solids to the points of their contact. Read touch.h first. */
+/* Finds the features of two solids that touch. Read touch.h first. */
 #include "physics/bodies/shapes/touch.h"
-#include "physics/bodies/shapes/face_clip.h"
 #include "physics/bodies/shapes/deep.h"
+#include "physics/bodies/shapes/feature.h"
 #include <math.h>
+#include <string.h>
 
-/* Faces that are turned farther away from the normal than this cosine have one point. */
-static const double steep = 0.5;
+/* Features of which both places differ by less than this part of the smaller rounding are one point. */
+static const double merge_part = 0.5;
 
-/* The points of faces are those of the contact if they reach its overlap to this part. */
-static const double same = 1e-6;
+/* Both solids, the nearest points of their cores, and how far features may lie below these to count. */
+struct pair {
+    const struct posed *a, *b;
+    const double *apart, *normal;
+    double roundings, slack, top_a, top_b; /* tops along the normal, of B against it */
+};
 
 static double dot(const double a[3], const double b[3]) {
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
-/* The face that is turned most to a direction; -1: none is near it. */
-static int face_toward(const struct posed *posed, const double direction[3]) {
-    int best = -1;
-    double most = steep;
-    for (int f = 0; f < posed->core->faces; f++) {
-        double normal[3];
-        posed_normal(posed, f, normal);
-        double along = dot(normal, direction);
-        if (along > most) {
-            most = along;
-            best = f;
+static double top_of(const struct posed *posed, const double normal[3], double sign) {
+    double most = -INFINITY;
+    for (int k = 0; k < posed->core->corners; k++)
+        most = fmax(most, sign * dot(posed->corner[k], normal));
+    return most;
+}
+
+/* True if a corner may be nearer to the other core than the roundings: no place of that core is nearer than its plane. */
+static bool is_near(const struct pair *pair, int side, int corner) {
+    const struct posed *posed = side ? pair->b : pair->a;
+    double height = dot(posed->corner[corner], pair->normal);
+    return (side ? pair->top_b + height : pair->top_a - height) < pair->slack;
+}
+
+/* Corners of one solid above the other one. */
+static void corners_take(struct features *features, const struct pair *pair, int side) {
+    const struct posed *own = side ? pair->b : pair->a;
+    for (int k = 0; k < own->core->corners; k++) {
+        struct gjk_set set_a = {pair->a->core->corners, pair->a->corner},
+                       set_b = {pair->b->core->corners, pair->b->corner};
+        struct gjk_set *set = side ? &set_b : &set_a;
+        struct gjk_simplex simplex = {0};
+        struct gjk_nearest nearest;
+        if (!is_near(pair, side, k))
+            continue;
+        *set = (struct gjk_set){1, &own->corner[k]};
+        if (gjk_distance(&set_a, &set_b, pair->apart, &simplex, &nearest))
+            feature_add(features, pair->a, pair->roundings, nearest.distance, nearest.on_a, nearest.normal,
+                        touch_key(side ? TOUCH_CORNER_B : TOUCH_CORNER_A, k, 0));
+    }
+}
+
+/* The edges of a solid with an end that is near; returns their number. */
+static int edges_near(const struct pair *pair, int side, int edge[SOLID_EDGES_MAX]) {
+    const struct solid *core = side ? pair->b->core : pair->a->core;
+    int count = 0;
+    for (int e = 0; e < core->edges; e++)
+        if (is_near(pair, side, core->edge[e].end[0]) || is_near(pair, side, core->edge[e].end[1]))
+            edge[count++] = e;
+    return count;
+}
+
+static void edges_take(struct features *features, const struct pair *pair) {
+    int edge_a[SOLID_EDGES_MAX], edge_b[SOLID_EDGES_MAX];
+    int count_a = edges_near(pair, 0, edge_a), count_b = edges_near(pair, 1, edge_b);
+    for (int j = 0; j < count_b; j++) {
+        double place[2][3];
+        for (int c = 0; c < 2; c++)
+            for (int d = 0; d < 3; d++)
+                place[c][d] = pair->b->corner[pair->b->core->edge[edge_b[j]].end[c]][d] + pair->apart[d];
+        for (int i = 0; i < count_a; i++) {
+            const int *end_a = pair->a->core->edge[edge_a[i]].end;
+            const double *const end[4] = {pair->a->corner[end_a[0]], pair->a->corner[end_a[1]], place[0],
+                                          place[1]};
+            feature_edges(features, pair->a, pair->roundings, end,
+                          touch_key(TOUCH_EDGES, edge_a[i], edge_b[j]));
         }
     }
-    return best;
 }
 
-/* The number of the only corner of a set in the simplex; -1: there are several. */
-static int only(const uint8_t *corner, int count) {
-    for (int k = 1; k < count; k++)
-        if (corner[k] != corner[0])
-            return -1;
-    return count > 0 ? corner[0] : -1;
-}
-
-static uint32_t nearest_key(const struct gjk_simplex *simplex) {
-    int a = only(simplex->a, simplex->count), b = only(simplex->b, simplex->count);
-    return a >= 0   ? touch_key(TOUCH_CORNER_A, a, 0)
-           : b >= 0 ? touch_key(TOUCH_CORNER_B, b, 0)
-                    : touch_key(TOUCH_NEAREST, 0, 0);
-}
-
-/* The normal, overlap and nearest point of A for cores that overlap: the points that are nearest after a move which parts the
- * cores along the normal. */
-static void part(struct touch *touch, const struct posed *a, const struct posed *b, const double apart[3],
-                 struct gjk_nearest *nearest) {
+/* The one feature of cores that overlap: their nearest points after a move that parts them. False: they do not touch. */
+static void deep_take(struct features *features, const struct pair *pair, double normal[3]) {
+    const struct posed *a = pair->a, *b = pair->b;
     const struct gjk_set set_a = {a->core->corners, a->corner}, set_b = {b->core->corners, b->corner};
-    const double both = a->rounding + b->rounding, depth = deep_overlap(a, b, apart, touch->normal);
+    const double depth = deep_overlap(a, b, pair->apart, normal);
     struct gjk_simplex simplex = {0};
+    struct gjk_nearest nearest = {0};
     double moved[3];
-    touch->overlap = both + depth;
-    for (int d = 0; d < 3; d++) {
-        moved[d] = apart[d] + (depth + both) * touch->normal[d];
-        nearest->on_a[d] = 0;
-    }
-    gjk_distance(&set_a, &set_b, moved, &simplex, nearest);
-}
-
-static void keep_nearest(struct touch *touch, const struct posed *a, const double on_a[3], uint32_t key) {
-    struct touch_point *point = &touch->point[0];
-    touch->points = 1;
-    *point = (struct touch_point){.overlap = touch->overlap, .share = 1, .key = key};
     for (int d = 0; d < 3; d++)
-        point->at[d] = on_a[d] + (a->rounding - 0.5 * touch->overlap) * touch->normal[d];
-}
-
-/* Keeps the point that overlaps most of those with no room. */
-static void point_add(struct touch *touch, const struct touch_point *point) {
-    int least = 0;
-    if (touch->points < TOUCH_POINTS_MAX) {
-        touch->point[touch->points++] = *point;
-        return;
-    }
-    for (int k = 1; k < touch->points; k++)
-        if (touch->point[k].overlap < touch->point[least].overlap)
-            least = k;
-    if (point->overlap > touch->point[least].overlap)
-        touch->point[least] = *point;
-}
-
-/* The points of two faces. False: the nearest points are not among them. */
-static bool faces_meet(struct touch *touch, const struct posed *a, const struct posed *b,
-                       const double apart[3]) {
-    const double back[3] = {-touch->normal[0], -touch->normal[1], -touch->normal[2]};
-    int face_a = face_toward(a, touch->normal), face_b = face_toward(b, back);
-    if (face_a < 0 || face_b < 0)
-        return false;
-    struct face_clip clip;
-    face_clip_make(&clip, a, face_a, b, face_b, apart, touch->normal);
-    double sum = 0, most = 0;
-    touch->points = 0;
-    for (int k = 0; k < clip.count; k++) {
-        struct touch_point point = {.key = clip.corner[k].key};
-        double low, high;
-        face_clip_heights(&clip, k, &low, &high);
-        point.overlap = a->rounding + b->rounding - (high - low);
-        if (!(point.overlap > 0))
-            continue;
-        double middle = low + a->rounding - 0.5 * point.overlap;
-        for (int d = 0; d < 3; d++)
-            point.at[d] = clip.corner[k].at[0] * clip.axis[0][d] + clip.corner[k].at[1] * clip.axis[1][d] +
-                          middle * touch->normal[d];
-        point_add(touch, &point);
-        most = fmax(most, point.overlap);
-    }
-    for (int k = 0; k < touch->points; k++)
-        sum += touch->point[k].overlap;
-    for (int k = 0; k < touch->points; k++)
-        touch->point[k].share = touch->point[k].overlap / sum;
-    return most >= touch->overlap * (1 - same);
+        moved[d] = pair->apart[d] + (depth + pair->roundings) * normal[d];
+    gjk_distance(&set_a, &set_b, moved, &simplex, &nearest);
+    feature_add(features, a, pair->roundings, -depth, nearest.on_a, normal, touch_key(TOUCH_DEEP, 0, 0));
 }
 
 bool touch_find(const struct posed *a, const struct posed *b, const double apart[3],
                 struct gjk_simplex *simplex, struct touch *touch) {
     const struct gjk_set set_a = {a->core->corners, a->corner}, set_b = {b->core->corners, b->corner};
+    struct pair pair = {
+        .a = a, .b = b, .apart = apart, .normal = touch->normal, .roundings = a->rounding + b->rounding};
+    struct features features;
     struct gjk_nearest nearest;
-    uint32_t key = touch_key(TOUCH_NEAREST, 0, 0);
+    *touch = (struct touch){0};
+    features.count = 0;
     if (gjk_distance(&set_a, &set_b, apart, simplex, &nearest)) {
-        touch->overlap = a->rounding + b->rounding - nearest.distance;
-        for (int d = 0; d < 3; d++)
-            touch->normal[d] = nearest.normal[d];
-        key = nearest_key(simplex);
+        if (!(nearest.distance < pair.roundings))
+            return false;
+        memcpy(touch->normal, nearest.normal, sizeof touch->normal);
+        pair.slack = pair.roundings - nearest.distance;
+        pair.top_a = top_of(a, touch->normal, 1);
+        pair.top_b = top_of(b, touch->normal, -1);
+        corners_take(&features, &pair, 0);
+        if (a->core->corners + b->core->corners > 2)
+            corners_take(&features, &pair, 1);
+        edges_take(&features, &pair);
     } else {
-        part(touch, a, b, apart, &nearest);
+        deep_take(&features, &pair, touch->normal);
     }
-    if (!(touch->overlap > 0))
+    if (features.count == 0)
         return false;
-    if (!faces_meet(touch, a, b, apart))
-        keep_nearest(touch, a, nearest.on_a, key);
+    feature_sum(&features, apart, merge_part * fmin(a->rounding, b->rounding), touch);
     return true;
+}
+
+bool touch_plane(const struct posed *a, const double inward[3], double height, struct touch *touch) {
+    static const double apart[3] = {0};
+    struct features features;
+    *touch = (struct touch){0};
+    features.count = 0;
+    for (int d = 0; d < 3; d++)
+        touch->normal[d] = -inward[d];
+    for (int k = 0; k < a->core->corners; k++)
+        feature_add(&features, a, a->rounding, height + dot(inward, a->corner[k]), a->corner[k],
+                    touch->normal, touch_key(TOUCH_CORNER_A, k, 0));
+    if (features.count > 0)
+        feature_sum(&features, apart, merge_part * a->rounding, touch);
+    return features.count > 0;
 }

@@ -1,43 +1,43 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
-/* The contact of two rounded solids: one normal, and up to eight points.
+/* The contact of two rounded solids.
  *
- * The normal is that of the nearest points of the cores (gjk.h); where the cores overlap, that of the least translation which
- * parts them (deep.h). The overlap is the sum of both roundings less the distance of the cores. So a contact of corners and edges is that
- * of two spheres of the radii of the roundings, whose middles are the nearest points, and its force is that of a potential.
+ * The features of a contact are the corners of either solid above the other one, and pairs of edges, as far as they are nearer
+ * than both roundings together. Feature k overlaps by d_k: the sum of the roundings less its distance from the other core, or of two edges
+ * the distance of the edges. The contact has one overlap,
  *
- * Where two faces are opposite, more than one point overlaps. The faces are projected along the normal, and the corners of the
- * part that they have in common are points of the contact, if they overlap: corners of either face, and crossings of two
- * edges. The overlap of a point is measured along the normal. A point takes the share overlap / sum of the overlaps of the force
- * that the law gives for its overlap: a contact of faces is not stiffer than one of corners, and a point comes and goes
- * with no force, so that nothing jumps when two faces tilt.
+ *     d = sum d_k^3 / sum d_k^2
  *
- * A sphere is a solid with one corner, whose rounding is its radius; a triangle has three corners. */
+ * which is d_k where all are equal, and that of the deepest feature where the others are small. With the energy E(d) of a law of spheres the
+ * forces are its slopes: feature k pushes along its own normal n_k by
+ *
+ *     g_k E'(d),   g_k = d d / d d_k = s_k (3 - 2 d / d_k),   s_k = d_k^2 / sum d^2
+ *
+ * Each d_k is a smooth function of the places of both solids, and comes and goes at 0. So no impact makes or loses
+ * energy, whatever tilts or slides; nothing jumps where faces meet; and a contact of faces is as stiff as one of corners,
+ * at which two spheres of the radii of the roundings touch. A feature far above the deepest one pulls a little (g_k < 0), as the deepest one
+ * then has more than all. Two edges that are parallel have no nearest points: the d_k of edges has a factor, which falls from 1 to 0 where their
+ * angle falls below TOUCH_PARALLEL, with its slope as a torque; the corners at their ends stay.
+ *
+ * Friction and dampers act at up to eight points: features whose places are nearer than half of the smaller rounding are one point, with
+ * their shares s_k together.
+ *
+ * Cores that overlap have one feature, the least translation that parts them (deep.h).
+ *
+ * A sphere is a solid with one corner, whose rounding is its radius. */
 #ifndef SCREE_SHAPES_TOUCH_H
 #define SCREE_SHAPES_TOUCH_H
 
 #include "physics/bodies/shapes/gjk.h"
 #include "physics/bodies/shapes/posed.h"
-#include "physics/bodies/shapes/touch_key.h"
-
-enum { TOUCH_POINTS_MAX = 8 };
-
-struct touch_point {
-    double at[3];   /* in the middle of the overlap, about the centre of A */
-    double overlap; /* > 0 */
-    double share;   /* of the contact; together 1 */
-    uint32_t key;   /* touch_key */
-};
-
-struct touch {
-    double normal[3]; /* unit vector from A to B */
-    double overlap;   /* of the nearest points */
-    int points;
-    struct touch_point point[TOUCH_POINTS_MAX];
-};
+#include "physics/bodies/shapes/touch_point.h"
 
 /* Finds the contact of A with B, whose centre lies at `apart` from that of A. `simplex`: see gjk.h. False: they do not
  * touch. Any thread. */
 bool touch_find(const struct posed *a, const struct posed *b, const double apart[3],
                 struct gjk_simplex *simplex, struct touch *touch);
+
+/* The contact of A with a half-space, whose inward normal is a unit vector and whose plane passes at `height` below the
+ * centre of A; the features are the corners of A. False: they do not touch. Any thread. */
+bool touch_plane(const struct posed *a, const double inward[3], double height, struct touch *touch);
 
 #endif

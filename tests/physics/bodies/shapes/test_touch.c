@@ -248,49 +248,71 @@ static void against_ccd(void **state) {
 }
 #endif
 
-/* The overlap after small moves of B changes by what the force at the point says: no torque is made from nothing. */
+/* The overlap after small moves and turns of B changes as push and turns say: rocks that meet in any way, and cubes whose
+ * faces are parallel to some degrees or less. */
+static void check_slope(struct by_hand *a, struct by_hand *b, const double q[4], const double apart[3],
+                        struct random_sequence *random, double worst[2]) {
+    const double small = 1e-7;
+    double way[3], spin[3], slope = 0, value[2], back[3];
+    struct gjk_simplex simplex = {0};
+    struct touch touch, moved;
+    if (!touch_find(&a->posed, &b->posed, apart, &simplex, &touch))
+        return;
+    draw_apart(random, 1, way);
+    draw_apart(random, 1, spin);
+    for (int d = 0; d < 3; d++)
+        slope -= touch.push[d] * way[d] + touch.turn[1][d] * spin[d];
+    for (int side = 0; side < 2; side++) {
+        double sign = side ? 1 : -1, turned[4], there[3];
+        memcpy(turned, q, sizeof turned);
+        rotor_spin(turned, spin, sign * small);
+        by_hand_pose(b, turned, b->posed.rounding);
+        for (int d = 0; d < 3; d++)
+            there[d] = apart[d] + sign * small * way[d];
+        value[side] = touch_find(&a->posed, &b->posed, there, &simplex, &moved) ? moved.overlap : 0;
+    }
+    worst[0] = fmax(worst[0], fabs((value[1] - value[0]) / (2 * small) - slope));
+    worst[1]++;
+    for (int d = 0; d < 3; d++) { /* no torque on both together */
+        int e = (d + 1) % 3, f = (d + 2) % 3;
+        back[d] = touch.turn[0][d] + touch.turn[1][d] + apart[e] * touch.push[f] - apart[f] * touch.push[e];
+        assert_near(back[d], 0, 1e-9);
+    }
+}
+
 static void slopes(void **state) {
     struct random_sequence random = random_sequence(5, RANDOM_TEST, 0);
-    const double small = 1e-6;
-    int tried = 0;
+    double worst[2] = {0}, tilted[2] = {0};
+    struct by_hand a, b;
     (void)state;
-    for (int n = 0; n < 2000; n++) {
-        struct by_hand a, b;
-        double apart[3], way[3], q[4], value[2];
-        struct gjk_simplex simplex = {0};
-        struct touch touch, moved;
+    for (int n = 0; n < 1000; n++) {
+        double apart[3], q[4];
         assert_true(by_hand_rock(&a, &random, 8, 0.2));
         assert_true(by_hand_rock(&b, &random, 8, 0.15));
         by_hand_draw_turn(&random, q);
         by_hand_pose(&b, q, 0.15);
         draw_apart(&random, 1.5, apart);
-        if (touch_find(&a.posed, &b.posed, apart, &simplex, &touch) && touch.points == 1) {
-            double spin[3], slope = 0, at[3];
-            draw_apart(&random, 1, way);
-            draw_apart(&random, 1, spin);
-            for (int d = 0; d < 3; d++)
-                at[d] = touch.point[0].at[d] - apart[d];
-            for (int d = 0; d < 3; d++) {
-                int e = (d + 1) % 3, f = (d + 2) % 3;
-                slope -= touch.normal[d] * (way[d] + spin[e] * at[f] - spin[f] * at[e]);
-            }
-            for (int side = 0; side < 2; side++) {
-                double sign = side ? 1 : -1, turned[4], there[3];
-                memcpy(turned, q, sizeof turned);
-                rotor_spin(turned, spin, sign * small);
-                by_hand_pose(&b, turned, 0.15);
-                for (int d = 0; d < 3; d++)
-                    there[d] = apart[d] + sign * small * way[d];
-                assert_true(touch_find(&a.posed, &b.posed, there, &simplex, &moved));
-                value[side] = moved.overlap;
-            }
-            assert_near((value[1] - value[0]) / (2 * small), slope, 1e-4);
-            tried++;
-        }
+        check_slope(&a, &b, q, apart, &random, worst);
         solid_free(&a.core);
         solid_free(&b.core);
     }
-    assert_true(tried > 100);
+    assert_true(by_hand_box(&a, 1, 1, 1, 0.05) && by_hand_box(&b, 0.9, 1.1, 1, 0.05));
+    for (int n = 0; n < 1000; n++) {
+        double apart[3], q[4] = {1, 0, 0, 0}, axis[3];
+        rotor_spin(q, (double[3]){0, 0, 1}, 6 * random_uniform(&random));
+        draw_apart(&random, 1, axis);
+        rotor_spin(q, axis, 0.05 * random_uniform(&random));
+        by_hand_pose(&b, q, 0.05);
+        for (int d = 0; d < 2; d++)
+            apart[d] = 1.2 * (random_uniform(&random) - 0.5);
+        apart[2] = 1.09;
+        check_slope(&a, &b, q, apart, &random, tilted);
+    }
+    print_message("largest error of a slope: %.2g in %g contacts of rocks, %.2g in %g of faces\n", worst[0],
+                  worst[1], tilted[0], tilted[1]);
+    assert_true(worst[1] > 100 && worst[0] < 1e-4 && tilted[1] > 500 && tilted[0] < 1e-4);
+    solid_free(&a.core);
+    solid_free(&b.core);
 }
 
 /* Cubes on each other, straight, moved, and turned by 45 degrees; an edge and a corner on a face. */
@@ -313,10 +335,9 @@ static void faces(void **state) {
         apart[2] += row[k].tilt > 0 ? sqrt(0.5) - 0.5 : 0;
         assert_true(touch_find(&a.posed, &b.posed, apart, &simplex, &touch));
         assert_near(touch.normal[2], 1, 1e-9);
-        assert_near(touch.overlap, 0.01, 1e-12);
+        assert_true(touch.overlap > 0.008 && touch.overlap < 0.01 + 1e-9);
         assert_true(touch.points == row[k].points || row[k].points < 0);
         for (int p = 0; p < touch.points; p++) {
-            assert_near(touch.point[p].overlap, 0.01, 1e-9);
             assert_near(touch.point[p].at[2], 0.5 + 0.045, 1e-9);
             sum += touch.point[p].share;
             for (int d = 0; d < 3; d++)
@@ -333,7 +354,7 @@ static void faces(void **state) {
     assert_true(
         touch_find(&a.posed, &b.posed, (double[3]){0, 0.2, 0.9}, &simplex, &touch)); /* cores overlap */
     assert_near(touch.overlap, 0.2, 1e-12);
-    assert_int_equal(touch.points, 4);
+    assert_int_equal(touch.points, 1);
     assert_false(touch_find(&a.posed, &b.posed, (double[3]){0, 0.2, 1.101}, &simplex, &touch));
     solid_free(&a.core);
     solid_free(&b.core);
