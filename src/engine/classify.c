@@ -120,7 +120,7 @@ static void classes_count(struct simulation *s) {
         classes->radius_max[c] = most[c];
     }
     struct classes_range range = interactions_range(&s->search.interactions);
-    struct classes_options options = skin_auto_options(s);
+    struct classes_options options = skin_auto_options(s->scene, &s->search.choice);
     classes_set_margins(classes, &options, &range);
 }
 

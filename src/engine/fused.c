@@ -79,16 +79,12 @@ static void verify_run(struct simulation *s) {
     plan_block_all(&s->plan.pairs, s->search.list);
 }
 
-static bool needs_copies(const struct simulation *s) {
-    return !s->ranks.alone;
-}
-
-const struct engine_pass fused_sweep[] = {{"plan", "new pairs", "pairs", NULL, plan_sweep},
-                                          {"early", "several ranks", "advance", needs_copies, early_run},
-                                          {"sweep", NULL, "sweep", NULL, sweep_run},
-                                          {"receive", "several ranks", "comm", needs_copies, values_receive},
-                                          {"copies", "several ranks", "contact", needs_copies, copies_run},
-                                          {"verify", NULL, "decide", NULL, verify_run},
+const struct engine_pass fused_sweep[] = {{"plan", "new pairs", "pairs", 0, plan_sweep},
+                                          {"early", "several ranks", "advance", NEED_RANKS, early_run},
+                                          {"sweep", NULL, "sweep", 0, sweep_run},
+                                          {"receive", "several ranks", "comm", NEED_RANKS, values_receive},
+                                          {"copies", "several ranks", "contact", NEED_RANKS, copies_run},
+                                          {"verify", NULL, "decide", 0, verify_run},
                                           {0}};
 
 bool fused_due(const struct simulation *s) {

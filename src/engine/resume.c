@@ -40,7 +40,8 @@ static void numbers_list(struct simulation *s, struct resume_numbers *own, struc
     physics_restart(&s->physics, restart);
     if (s->box.motion.moves)
         deform_restart(&s->box, &s->servo, restart);
-    skin_auto_restart(s, restart);
+    if (s->scene->classes.skin_auto)
+        skin_auto_restart(&s->search.choice, restart);
     restart_add(restart, RESTART_SUM, false, &own->load_fresh, "load: imbalance not measured");
     restart_add(restart, RESTART_SUM, false, &own->load_reached, "load: imbalance reached");
     for (int k = 0; k < s->scene->insertions; k++) {
@@ -169,7 +170,7 @@ static bool take(struct simulation *s, const char *path, struct checkpoint_loade
     s->lineage = loaded->lineage;
     loaded->lineage = (struct lineage){0};
     if (loaded->tree && domain_bisects(s->ranks.domain)) {
-        load_restore(s, loaded->tree, own.load_fresh != 0, own.load_reached);
+        load_restore(&s->ranks, loaded->tree, own.load_fresh != 0, own.load_reached);
         loaded->tree = NULL;
     }
     if (s->search.history) {

@@ -137,11 +137,11 @@ static bool step_once(struct run *run, struct error *error) {
     bool watched = watch && watch->due(watch->context, s->clock.step + 1);
     bool looked = run_stages_due(&run->stages, s, s->clock.step + 1);
     bool seen = watched || looked || checkpoint || s->clock.step + 1 >= run->last ||
-                (run->outputs && outputs_due(run->outputs, s, s->clock.step + 1));
+                (run->outputs && outputs_due(run->outputs, &s->clock, s->clock.step + 1));
     signals_ask(run);
     checked_step(s,
                  (watched && !watch->without_sums) || (looked && run_stages_need_sums(&run->stages)) ||
-                     (run->outputs && outputs_want_sums(run->outputs, s, s->clock.step + 1)),
+                     (run->outputs && outputs_want_sums(run->outputs, &s->clock, s->clock.step + 1)),
                  checkpoint, seen);
     if (s->clock.dt != dt) /* a shortened time step needs more steps to the end */
         run->last = run_last_step(s);
@@ -149,7 +149,7 @@ static bool step_once(struct run *run, struct error *error) {
     run->record.particle_steps += (double)s->total;
     int stage = stages_find(&s->timers, "output");
     timer_start(&s->timers, stage);
-    if (watched || looked || (run->outputs && outputs_due(run->outputs, s, s->clock.step)))
+    if (watched || looked || (run->outputs && outputs_due(run->outputs, &s->clock, s->clock.step)))
         physics_look(&s->physics);
     bool good = run->outputs == NULL || outputs_write(run->outputs, s, error);
     if (good && watched)
@@ -270,7 +270,7 @@ static void notes_tell(const struct run *run, bool seen) {
         return;
     struct notes *notes = memory_allocate_zero(1, sizeof *notes, "notes");
     if (seen)
-        notes_seen(run->s, run->record.first, notes);
+        notes_seen(&run->s->physics, run->record.first, notes);
     else
         notes_take(run->s, notes);
     if (run->s->comm->rank == 0)
@@ -295,7 +295,7 @@ static void tables_end(const struct run *run, struct error *error) {
     struct error own = {0};
     if (run->outputs == NULL || error->kind == ERROR_SYSTEM)
         return;
-    outputs_tables(run->s, &own);
+    outputs_tables(&run->s->physics, run->s->comm, &own);
     if (error->kind == ERROR_NONE)
         *error = own;
 }
@@ -328,7 +328,7 @@ static void start_tell(const struct run *run) {
         resume = label;
     }
     if (resume)
-        resume_print(s, resume, stderr);
+        resume_print(&s->resumed, s->clock.step, resume, stderr);
 }
 
 int run_one(const struct comm *comm, const struct scene *scene, const struct run_options *options,

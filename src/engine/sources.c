@@ -62,8 +62,7 @@ static uint64_t insertion_missing(const struct sources *sources, const struct cl
 
 uint64_t sources_asked(const struct sources *sources, const struct clock *clock, int k) {
     uint64_t looked = clock->step - clock->step % SOURCES_EVERY;
-    double since = (double)looked - (double)clock->step_base;
-    return insertion_due(&sources->insertion[k], clock->time_base + since * clock->dt);
+    return insertion_due(&sources->insertion[k], clock_time(clock, looked));
 }
 
 static bool insertions_due(const struct simulation *s) {

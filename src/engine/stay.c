@@ -20,7 +20,8 @@ static bool may_stay(struct simulation *s) {
 }
 
 void stay_decide(struct simulation *s, struct rebuild_rows *rows) {
-    tune_select(s);
+    if (s->scene->index.measure)
+        tune_select(&s->search);
     rows->stays = may_stay(s);
     if (!s->ranks.alone)
         rows->stays = ghosts_let_stay(s->ranks.ghosts, s->particles, &s->classes, rows->stays);

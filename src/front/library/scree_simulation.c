@@ -136,7 +136,7 @@ void scree_destroy(struct scree_simulation **simulation) {
 static bool step(struct scree_simulation *simulation, bool last, struct error *error) {
     struct simulation *s = simulation->state;
     uint64_t next = s->clock.step + 1;
-    double time = s->clock.time_base + (double)(next - s->clock.step_base) * s->clock.dt;
+    double time = clock_time(&s->clock, next);
     s->agree.signals = (struct step_signals){.error = s->error.kind != ERROR_NONE};
     bool ends = scree_stages_last(simulation, next), rebuild = simulation->changed || ends;
     bool sums =
