@@ -19,6 +19,6 @@ void checked_step(struct simulation *s, bool sums, bool rebuild, bool seen) {
         guards_check_finite(s);
     if (guards_energy_due(&s->guards.energy, next))
         guards_check_energy(s);
-    if (timing_due(s, next))
+    if (timing_due(&s->timing, s->scene, next))
         timing_look(s);
 }

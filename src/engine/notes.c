@@ -105,12 +105,11 @@ static void look_at_guard(struct notes *notes, enum scene_guard guard, const cha
         snprintf(notes->stops + used, sizeof notes->stops - used, "%s%s", used ? ", " : "", name);
 }
 
-static void look_at_guards(const struct simulation *s, struct notes *notes) {
-    const struct scene_guards *guards = &s->scene->guards;
+static void look_at_guards(const struct scene_guards *guards, double moved, struct notes *notes) {
     char what[128];
-    if (notes_moved(notes, &s->classes, s->clock.dt) > 1) {
+    if (moved > 1) {
         snprintf(what, sizeof what, "a particle moves by %.3g of the smallest radius in a step (bound 1)",
-                 notes_moved(notes, &s->classes, s->clock.dt));
+                 moved);
         look_at_guard(notes, guards->speed, "guards.speed", what);
     }
     if (notes->overlap_expected > guards->overlap_bound) {
@@ -118,9 +117,6 @@ static void look_at_guards(const struct simulation *s, struct notes *notes) {
                  notes->overlap_expected, guards->overlap_bound);
         look_at_guard(notes, guards->overlap, "guards.overlap", what);
     }
-    if (s->clock.dt > s->timing.stable)
-        notes_add(notes, true, "the time step is %.3g of the stable one: energy will grow",
-                  s->clock.dt / s->timing.stable);
 }
 
 /* Notes a density that is probably in g/cm3. */
@@ -175,7 +171,10 @@ void notes_take(const struct simulation *s, struct notes *notes) {
         if (active->row->shown->notes)
             active->row->shown->notes(&active->context, notes);
     look_at_output(&s->scene->output, notes);
-    look_at_guards(s, notes);
+    look_at_guards(&s->scene->guards, notes_moved(notes, &s->classes, s->clock.dt), notes);
+    if (s->clock.dt > s->timing.stable)
+        notes_add(notes, true, "the time step is %.3g of the stable one: energy will grow",
+                  s->clock.dt / s->timing.stable);
 }
 
 void notes_seen(const struct physics_set *set, uint64_t first, struct notes *notes) {

@@ -123,6 +123,7 @@ bool outputs_tables(const struct physics_set *set, const struct comm *comm, stru
     return !has || comm_agree(comm, error);
 }
 
-bool outputs_flush(struct outputs *o, const struct simulation *s, struct error *error) {
-    return outputs_tables(&s->physics, s->comm, error) && (o->h5md == NULL || h5md_flush(o->h5md, error));
+bool outputs_flush(struct outputs *o, const struct physics_set *set, const struct comm *comm,
+                   struct error *error) {
+    return outputs_tables(set, comm, error) && (o->h5md == NULL || h5md_flush(o->h5md, error));
 }

@@ -45,7 +45,8 @@ bool outputs_write(struct outputs *outputs, const struct simulation *simulation,
 bool outputs_tables(const struct physics_set *set, const struct comm *comm, struct error *error);
 
 /* Writes the data that wait for the next frame, and the tables. Collective. */
-bool outputs_flush(struct outputs *outputs, const struct simulation *simulation, struct error *error);
+bool outputs_flush(struct outputs *outputs, const struct physics_set *set, const struct comm *comm,
+                   struct error *error);
 
 /* Writes the first observables of the last row as ", energy_kinetic 0.3 J, ..." to `text`; "" before the first
  * row. `outputs` is a struct outputs *, or NULL. */

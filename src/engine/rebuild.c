@@ -171,12 +171,12 @@ static void balance(struct simulation *s, struct rebuild_rows *rows) {
 
 static void detach(struct simulation *s, struct rebuild_rows *rows) {
     bool given = s->sources.given.added > 0 || s->sources.given.taken > 0;
-    bool none_lost = !given && !sources_due(s) && !box_may_lose(&s->box);
+    bool none_lost = !given && !sources_due(&s->sources, s->scene, &s->clock) && !box_may_lose(&s->box);
     bool keeps = s->search.history && none_lost && one_image(&s->classes, &s->box);
     if (!keeps)
         rebuild_detach(s, !s->ranks.alone, rows);
     else
-        rebuild_detach_obstacles(s, rows);
+        rebuild_detach_obstacles(&s->physics, rows);
     rows->keep = keeps;
     if (keeps && !s->ranks.alone) {
         const uint32_t *originals = ghosts_originals(s->ranks.ghosts, &rows->near_count);
@@ -187,7 +187,7 @@ static void detach(struct simulation *s, struct rebuild_rows *rows) {
 }
 
 static void carry(struct simulation *s, struct rebuild_rows *rows) {
-    rebuild_carry(s, rows);
+    physics_rows(&s->physics, rows->carried);
 }
 
 /* Particles that stay on their rank do not cross the box in a direction in which the box is divided. */

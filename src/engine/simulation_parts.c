@@ -113,21 +113,21 @@ static bool box_holds(const struct scene *scene, const struct box *box, double r
     return true;
 }
 
-bool simulation_parts_box(const struct simulation *s, struct error *error) {
-    const struct size_classes *classes = &s->classes;
+bool simulation_parts_box(const struct scene *scene, const struct box *box,
+                          const struct size_classes *classes, struct error *error) {
     bool good = true;
     double margin = INDEX_NOT_WANTED;
     for (int c = 0; c < classes->count && good; c++) {
         margin = fmax(margin, classes->margin[c][c]);
         for (int b = c; b >= 0 && good; b--)
             good = !classes_meet(classes, c, b) ||
-                   box_holds(s->scene, &s->box, classes->radius_max[c], classes->radius_max[b],
+                   box_holds(scene, box, classes->radius_max[c], classes->radius_max[b],
                              classes->margin[c][b], error);
     }
-    for (int k = 0; k < s->scene->insertions && good; k++) {
+    for (int k = 0; k < scene->insertions && good; k++) {
         double smallest, largest;
-        sizes_bounds(&s->scene->insertion[k].sizes, &smallest, &largest);
-        good = box_holds(s->scene, &s->box, largest, largest, margin, error);
+        sizes_bounds(&scene->insertion[k].sizes, &smallest, &largest);
+        good = box_holds(scene, box, largest, largest, margin, error);
     }
     return good;
 }

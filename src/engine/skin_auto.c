@@ -80,7 +80,7 @@ static struct skin_counts counts_take(struct simulation *s, const struct skin_ch
 /* The choice with what was used up since the last rebuild. */
 static struct skin_choice choice_with(struct simulation *s) {
     struct skin_choice choice = s->search.choice;
-    decide_displacements(s);
+    decide_displacements(s->search.skin, s->particles, s->classes.count, s->comm);
     double used = skin_used(s->search.skin, &s->classes) * skin_choice_factor(choice.octaves);
     skin_choice_add(&choice, used, s->search.skin->moves);
     return choice;

@@ -38,8 +38,8 @@ static void exchange_run(struct simulation *s) {
         rebuild_run(s);
         s->particles->force_clear = false;
     } else if (!s->ranks.alone) {
-        values_send(s);
-        values_receive(s);
+        values_send(s->ranks.ghosts, s->particles);
+        values_receive(s->ranks.ghosts, s->particles);
     }
 }
 
@@ -100,7 +100,8 @@ void step_plan_print(const struct simulation *s, FILE *file) {
 void step_run(struct simulation *s, bool rebuild) {
     s->clock.step++;
     s->clock.time = clock_time(&s->clock, s->clock.step);
-    s->agree.signals.rebuild = rebuild || sources_due(s) || physics_due(&s->physics) || skin_auto_due(s);
+    s->agree.signals.rebuild = rebuild || sources_due(&s->sources, s->scene, &s->clock) ||
+                               physics_due(&s->physics) || skin_auto_due(s);
     physics_prepare(&s->physics);
     memset(s->search.speed, 0, (size_t)s->threads * sizeof *s->search.speed);
     plan_run(fused_due(s) ? &s->plan.fused : &s->plan.plain, 0, &s->timers, s);

@@ -102,44 +102,43 @@ static void print_longer_steps(const struct law_options *law, double present) {
 }
 
 /* The step in two lines. */
-static void print_step_short(const struct simulation *s) {
-    const struct grains *grains = grains_of(&s->physics);
-    bool springs = s->scene->materials > 0 && !grains->law.options.solved;
-    printf("time step %.6g", s->clock.dt);
-    if (!isfinite(s->timing.stable)) {
+static void print_step_short(const struct scene *scene, const struct clock *clock,
+                             const struct timing *timing) {
+    bool springs = scene->materials > 0 && !scene->law.solved;
+    printf("time step %.6g", clock->dt);
+    if (!isfinite(timing->stable)) {
         printf("; any is stable\n");
         return;
     }
-    printf(" = %.3g of the stable %.6g (%s)\n", s->clock.dt / s->timing.stable, s->timing.stable,
-           s->timing.why);
-    double error = step_study_error(&s->scene->law, s->clock.dt / s->timing.stable),
-           longer = step_study_error(&s->scene->law, long_fraction);
-    if (springs && s->clock.dt_fraction > 0 && !isnan(error) && !isnan(longer))
+    printf(" = %.3g of the stable %.6g (%s)\n", clock->dt / timing->stable, timing->stable, timing->why);
+    double error = step_study_error(&scene->law, clock->dt / timing->stable),
+           longer = step_study_error(&scene->law, long_fraction);
+    if (springs && clock->dt_fraction > 0 && !isnan(error) && !isnan(longer))
         printf("  an impact is off by up to %.2g %%; step.fraction %.2g: %.2g of the steps, %.2g %% "
                "(docs/speed-error.md)\n",
-               100 * error, long_fraction, s->clock.dt / s->timing.stable / long_fraction, 100 * longer);
+               100 * error, long_fraction, clock->dt / timing->stable / long_fraction, 100 * longer);
 }
 
-static void print_step(const struct simulation *s) {
-    const struct grains *grains = grains_of(&s->physics);
-    bool limited = isfinite(s->timing.stable);
-    bool springs = s->scene->materials > 0 && !grains->law.options.solved;
+static void print_step(const struct scene *scene, const struct clock *clock, const struct timing *timing,
+                       const struct timestep_limits *limits) {
+    bool limited = isfinite(timing->stable);
+    bool springs = scene->materials > 0 && !scene->law.solved;
     printf("\ntime step\n");
     if (limited)
-        printf("  stable       %.6g (%s)\n", s->timing.stable, s->timing.why);
-    if (s->timing.stable < s->timing.expected)
-        printf("               %.6g for contacts to come\n", s->timing.expected);
+        printf("  stable       %.6g (%s)\n", timing->stable, timing->why);
+    if (timing->stable < timing->expected)
+        printf("               %.6g for contacts to come\n", timing->expected);
     if (springs)
-        printf("  contact time %.6g\n", grains->stable.limits.contact_time);
-    if (grains->stable.limits.rayleigh > 0)
-        printf("  Rayleigh     %.6g\n", grains->stable.limits.rayleigh);
+        printf("  contact time %.6g\n", limits->contact_time);
+    if (limits->rayleigh > 0)
+        printf("  Rayleigh     %.6g\n", limits->rayleigh);
     if (limited)
-        printf("  chosen       %.6g = %.3g of the stable one (default %.3g)\n", s->clock.dt,
-               s->clock.dt / s->timing.stable, timestep_default_fraction());
+        printf("  chosen       %.6g = %.3g of the stable one (default %.3g)\n", clock->dt,
+               clock->dt / timing->stable, timestep_default_fraction());
     else
-        printf("  chosen       %.6g; any is stable\n", s->clock.dt);
-    if (limited && springs && s->clock.dt_fraction > 0)
-        print_longer_steps(&s->scene->law, s->clock.dt / s->timing.stable);
+        printf("  chosen       %.6g; any is stable\n", clock->dt);
+    if (limited && springs && clock->dt_fraction > 0)
+        print_longer_steps(&scene->law, clock->dt / timing->stable);
 }
 
 /* Prints all notes together, for people who read only the notes; the last line says whether a guard would end
@@ -159,10 +158,7 @@ static const char *guard_word(enum scene_guard guard, bool trips) {
 }
 
 /* Prints the state of the guards before the run. */
-static void print_guards(const struct simulation *s, const struct notes *notes) {
-    const struct grains *grains = grains_of(&s->physics);
-    const struct scene_guards *guards = &s->scene->guards;
-    double moved = notes_moved(notes, &s->classes, s->clock.dt);
+static void print_guards(const struct scene_guards *guards, const struct grains *grains, double moved) {
     printf("\nguards, at the expected speed of %.4g\n", grains->stable.speed_expected);
     printf("  speed    moves by %.3g of the smallest radius in a step (bound 1)%s\n", moved,
            guard_word(guards->speed, moved > 1));
@@ -184,8 +180,6 @@ static void print_guards(const struct simulation *s, const struct notes *notes) 
                guard_word(guards->overlap, grains->stable.overlap_started > guards->overlap_bound));
     printf("  energy   %s\n", guards->energy == SCENE_GUARD_OFF ? "growth is not looked at"
                                                                 : "growth without cause is looked for");
-    if (s->clock.dt > s->timing.stable)
-        printf("  step     %.3g of the stable one: energy will grow\n", s->clock.dt / s->timing.stable);
 }
 
 static void print_memory(const struct simulation *s, bool all) {
@@ -288,10 +282,12 @@ static void print_scene(const struct simulation *s, const struct notes *notes, b
     print_interactions(&s->search.interactions, scene->materials > 0);
     print_levels(&s->search, scene->index.name, all);
     if (all)
-        print_step(s);
+        print_step(scene, &s->clock, &s->timing, &grains->stable.limits);
     else
-        print_step_short(s);
-    print_guards(s, notes);
+        print_step_short(scene, &s->clock, &s->timing);
+    print_guards(&scene->guards, grains, notes_moved(notes, &s->classes, s->clock.dt));
+    if (s->clock.dt > s->timing.stable)
+        printf("  step     %.3g of the stable one: energy will grow\n", s->clock.dt / s->timing.stable);
     print_memory(s, all);
 }
 

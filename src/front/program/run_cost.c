@@ -233,7 +233,8 @@ static void stages_print(const struct scene *scene) {
 }
 
 void run_cost_print(struct simulation *s, bool all) {
-    uint64_t last = run_last_step(s), steps = last > s->clock.step ? last - s->clock.step : 0;
+    uint64_t last = run_last_step(s->scene, &s->stage, &s->clock),
+             steps = last > s->clock.step ? last - s->clock.step : 0;
     if (s->comm->rank == 0) {
         stages_print(s->scene);
         printf("\nwhat a run%s will cost\n", s->scene->stages > 0 ? " of the first stage" : "");
