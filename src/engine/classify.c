@@ -27,23 +27,24 @@ static int kind_at(const uint8_t *kind, size_t k) {
     return kind ? kind[k] : KIND_GRAIN;
 }
 
-static void radius_bins_fill(struct simulation *s, enum kind kind, struct radius_bins *bins) {
-    const uint8_t *kinds = kinds_of(s->particles);
+static void radius_bins_fill(const struct particles *particles, const struct comm *comm, enum kind kind,
+                             struct radius_bins *bins) {
+    const uint8_t *kinds = kinds_of(particles);
     double bound[2] = {INFINITY, INFINITY}; /* smallest, minus largest */
-    for (size_t k = 0; k < s->particles->owned; k++) {
-        double radius = s->particles->state[k].radius;
+    for (size_t k = 0; k < particles->owned; k++) {
+        double radius = particles->state[k].radius;
         if (kind_at(kinds, k) != (int)kind)
             continue;
         bound[0] = fmin(bound[0], radius);
         bound[1] = fmin(bound[1], -radius);
     }
-    comm_min(s->comm, bound, 2);
+    comm_min(comm, bound, 2);
     for (int b = 0; b < CLASS_BINS; b++) {
         bins->least[b] = INFINITY;
         bins->most[b] = bins->count[b] = 0;
     }
-    for (size_t k = 0; k < s->particles->owned; k++) {
-        double radius = s->particles->state[k].radius;
+    for (size_t k = 0; k < particles->owned; k++) {
+        double radius = particles->state[k].radius;
         if (kind_at(kinds, k) != (int)kind)
             continue;
         int b = radius_bin(radius, bound[0], -bound[1]);
@@ -51,9 +52,9 @@ static void radius_bins_fill(struct simulation *s, enum kind kind, struct radius
         bins->most[b] = fmax(bins->most[b], radius);
         bins->count[b]++;
     }
-    comm_min(s->comm, bins->least, CLASS_BINS);
-    comm_max(s->comm, bins->most, CLASS_BINS);
-    comm_sum(s->comm, bins->count, CLASS_BINS);
+    comm_min(comm, bins->least, CLASS_BINS);
+    comm_max(comm, bins->most, CLASS_BINS);
+    comm_sum(comm, bins->count, CLASS_BINS);
 }
 
 static size_t radius_sample(const struct radius_bins *bins, double total, double *sample) {
@@ -120,14 +121,14 @@ static void classes_count(struct simulation *s) {
         classes->radius_max[c] = most[c];
     }
     struct classes_range range = interactions_range(&s->search.interactions);
-    struct classes_options options = skin_auto_options(s);
+    struct classes_options options = skin_auto_options(s->scene, &s->search.choice);
     classes_set_margins(classes, &options, &range);
 }
 
 /* Chooses the classes of one kind; without particles of the kind `classes` has none. */
 static bool choose(struct simulation *s, enum kind kind, struct size_classes *classes, struct error *error) {
     struct radius_bins *bins = memory_allocate(1, sizeof *bins, "radius histogram");
-    radius_bins_fill(s, kind, bins);
+    radius_bins_fill(s->particles, s->comm, kind, bins);
     double total = 0;
     for (int b = 0; b < CLASS_BINS; b++)
         total += bins->count[b];

@@ -13,4 +13,9 @@ struct clock {
     double dt_fraction; /* dt as a fraction of the stable step; 0: the scene gives dt */
 };
 
+/* The time of a step. */
+static inline double clock_time(const struct clock *clock, uint64_t step) {
+    return clock->time_base + ((double)step - (double)clock->step_base) * clock->dt;
+}
+
 #endif

@@ -6,9 +6,9 @@
 #include "kernel/particles/kinds.h"
 #include <math.h>
 
-void crossings_prepare(struct simulation *s) {
-    for (int k = 0; k < s->scene->output.observables.planes; k++)
-        s->crossings[k] = (struct output_crossing){NAN, NAN};
+void crossings_prepare(struct output_crossing *crossing, int planes) {
+    for (int k = 0; k < planes; k++)
+        crossing[k] = (struct output_crossing){NAN, NAN};
 }
 
 static void account(struct simulation *s, int plane, size_t i, double sign) {
@@ -34,10 +34,11 @@ void crossings_account(struct simulation *s, size_t i, double sign) {
         account(s, k, i, sign);
 }
 
-void crossings_restart(struct simulation *s, struct restart *restart) {
-    for (int k = 0; k < s->scene->output.observables.planes; k++) {
-        const char *name = s->scene->output.observables.plane[k].name;
-        restart_add(restart, RESTART_SUM, true, &s->crossings[k].particles, "crossed %.40s: particles", name);
-        restart_add(restart, RESTART_SUM, true, &s->crossings[k].mass, "crossed %.40s: mass", name);
+void crossings_restart(struct output_crossing *crossing, const struct observables_options *options,
+                       struct restart *restart) {
+    for (int k = 0; k < options->planes; k++) {
+        const char *name = options->plane[k].name;
+        restart_add(restart, RESTART_SUM, true, &crossing[k].particles, "crossed %.40s: particles", name);
+        restart_add(restart, RESTART_SUM, true, &crossing[k].mass, "crossed %.40s: mass", name);
     }
 }

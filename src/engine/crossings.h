@@ -7,7 +7,7 @@
 #include "engine/state.h"
 
 /* Before particles are made or read: no sum is known. */
-void crossings_prepare(struct simulation *simulation);
+void crossings_prepare(struct output_crossing *crossing, int planes);
 
 /* With the particles of the start, or of a checkpoint, which may lack the sums of new planes: these begin now. */
 void crossings_begin(struct simulation *simulation);
@@ -16,6 +16,7 @@ void crossings_begin(struct simulation *simulation);
 void crossings_account(struct simulation *simulation, size_t i, double sign);
 
 /* Adds the numbers that a resume needs. */
-void crossings_restart(struct simulation *simulation, struct restart *restart);
+void crossings_restart(struct output_crossing *crossing, const struct observables_options *options,
+                       struct restart *restart);
 
 #endif

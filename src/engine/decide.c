@@ -50,18 +50,18 @@ void decide_end(struct simulation *s) {
     skin_settle(s->search.skin, n);
 }
 
-void decide_displacements(struct simulation *s) {
+void decide_displacements(struct skin *skin, const struct particles *particles, int classes,
+                          const struct comm *comm) {
     double two[CLASS_MAX][2];
-    int n = s->classes.count;
-    skin_measure(s->search.skin, s->particles, n);
-    for (int c = 0; c < n; c++) {
-        two[c][0] = s->search.skin->bound[c];
-        two[c][1] = s->search.skin->second[c];
+    skin_measure(skin, particles, classes);
+    for (int c = 0; c < classes; c++) {
+        two[c][0] = skin->bound[c];
+        two[c][1] = skin->second[c];
     }
-    comm_max_two(s->comm, two, n);
-    for (int c = 0; c < n; c++) {
-        s->search.skin->bound[c] = two[c][0];
-        s->search.skin->second[c] = two[c][1];
+    comm_max_two(comm, two, classes);
+    for (int c = 0; c < classes; c++) {
+        skin->bound[c] = two[c][0];
+        skin->second[c] = two[c][1];
     }
 }
 
@@ -72,7 +72,7 @@ void decide_measure(struct simulation *s) {
     s->agree.signals.rebuild = skin_surely_due(s->search.skin, &s->classes);
     if (s->agree.signals.rebuild)
         return;
-    decide_displacements(s);
+    decide_displacements(s->search.skin, s->particles, s->classes.count, s->comm);
     s->agree.signals.rebuild = skin_due(s->search.skin, &s->classes);
 }
 

@@ -17,7 +17,8 @@ void decide_end(struct simulation *simulation);
 void decide_measure(struct simulation *simulation);
 
 /* Replaces the bounds by the exact displacements, the two largest of each class on all ranks. Collective. */
-void decide_displacements(struct simulation *simulation);
+void decide_displacements(struct skin *skin, const struct particles *particles, int classes,
+                          const struct comm *comm);
 
 /* Runs decide_begin, decide_end and decide_measure. */
 void decide_run(struct simulation *simulation);

@@ -138,15 +138,22 @@ static double limited(double rate, double bound) {
     return fmin(fmax(rate, -bound), bound);
 }
 
+/* What the servo knows of the packing. */
+struct packing {
+    double density, modulus;
+};
+
 /* The rate of an edge at which the stress is `excess` above its target; `scale` is a stress of the size of the
  * target. */
-static double rate_of(const struct simulation *s, double excess, double scale, double modulus, double edge) {
-    double impedance = sqrt(s->servo.mass / volume_of(&s->box) * fmax(modulus, scale));
-    return limited(impedance > 0 ? excess / impedance / edge : 0, s->servo.bound * sqrt(scale));
+static double rate_of(const struct box_servo *servo, const struct packing *packing, double excess,
+                      double scale, double edge) {
+    double impedance = sqrt(packing->density * fmax(packing->modulus, scale));
+    return limited(impedance > 0 ? excess / impedance / edge : 0, servo->bound * sqrt(scale));
 }
 
 /* Sets the rate of the shear. */
-static void shear_control(struct simulation *s, double stress, double pressure, double modulus) {
+static void shear_control(struct simulation *s, const struct packing *packing, double stress,
+                          double pressure) {
     struct box_motion *motion = &s->box.motion;
     double target = shear_target(s->scene, &s->box);
     if (isnan(target)) {
@@ -154,13 +161,13 @@ static void shear_control(struct simulation *s, double stress, double pressure, 
         return;
     }
     double scale = fmax(fabs(target), pressure), bound = s->servo.bound * sqrt(fmax(scale, 0)), longest = 0;
-    double excess = stress - target, density = s->servo.mass / volume_of(&s->box);
+    double excess = stress - target;
     for (int d = 0; d < s->box.dimension; d++)
         longest = fmax(longest, s->box.edge[d]);
-    double more = s->evaluation.dt * excess / (SHEAR_INERTIA * density * longest * longest);
+    double more = s->evaluation.dt * excess / (SHEAR_INERTIA * packing->density * longest * longest);
     s->servo.drift = limited(s->servo.drift + more, bound);
-    motion->shear =
-        limited(s->servo.drift + SHEAR_GAIN * rate_of(s, excess, fmax(scale, 0), modulus, longest), bound);
+    motion->shear = limited(
+        s->servo.drift + SHEAR_GAIN * rate_of(&s->servo, packing, excess, fmax(scale, 0), longest), bound);
 }
 
 void deform_flow(struct simulation *s) {
@@ -187,15 +194,17 @@ void deform_control(struct simulation *s) {
         work += sum[d];
         longest = fmax(longest, s->box.edge[d]);
     }
-    double modulus = sum[6] > 0 ? 0.3 * work * work / (sum[6] * volume) : 0, mean = work / volume / n;
+    const struct packing packing = {.density = s->servo.mass / volume,
+                                    .modulus = sum[6] > 0 ? 0.3 * work * work / (sum[6] * volume) : 0};
+    double mean = work / volume / n;
     for (int d = 0; d < n; d++) {
         double target = wanted->normal[d];
         if (!isnan(wanted->pressure))
-            stretch[d] = rate_of(s, mean - wanted->pressure, wanted->pressure, modulus, longest);
+            stretch[d] = rate_of(&s->servo, &packing, mean - wanted->pressure, wanted->pressure, longest);
         else if (!isnan(target))
-            stretch[d] = rate_of(s, sum[d] / volume - target, target, modulus, s->box.edge[d]);
+            stretch[d] = rate_of(&s->servo, &packing, sum[d] / volume - target, target, s->box.edge[d]);
     }
-    shear_control(s, motion->shears ? sum[2 + motion->flow + motion->gradient] / volume : 0, mean, modulus);
+    shear_control(s, &packing, motion->shears ? sum[2 + motion->flow + motion->gradient] / volume : 0, mean);
 }
 
 /* Stops the run before an edge is too short for its particles. */

@@ -17,29 +17,29 @@ static void plan_sweep(struct simulation *s) {
 }
 
 /* Moves the early particles of a thread, before all other particles. */
-static void early_move(struct simulation *s, int t) {
-    const struct sweep_thread *plan = &s->search.sweep->thread[t];
+static void early_move(const struct sweep *sweep, const struct plan_visit *moves, int t) {
+    const struct sweep_thread *plan = &sweep->thread[t];
     for (size_t r = 0; r < plan->early_count; r++)
-        plan_move(&s->plan.moves, t, plan->early[r].first, plan->early[r].last, plan->early[r].size_class);
+        plan_move(moves, t, plan->early[r].first, plan->early[r].last, plan->early[r].size_class);
 }
 
 static void early_run(struct simulation *s) {
 #pragma omp parallel for schedule(static, 1)
     for (int t = 0; t < s->threads; t++)
-        early_move(s, t);
-    values_send(s);
+        early_move(s->search.sweep, &s->plan.moves, t);
+    values_send(s->ranks.ghosts, s->particles);
 }
 
 /* Computes the blocks of a thread: late particles move, then forces. */
-static void late_sweep(struct simulation *s, int t) {
-    const struct pairlist *list = s->search.list;
-    const struct sweep_thread *plan = &s->search.sweep->thread[t];
+static void late_sweep(const struct search *search, const struct step_plan *visits, bool alone, int t) {
+    const struct pairlist *list = search->list;
+    const struct sweep_thread *plan = &search->sweep->thread[t];
     int first = list->thread_block[t];
     for (int b = first; b < list->thread_block[t + 1]; b++) {
         for (size_t r = plan->start[b - first]; r < plan->start[b - first + 1]; r++)
-            plan_move(&s->plan.moves, t, plan->late[r].first, plan->late[r].last, plan->late[r].size_class);
-        if (s->ranks.alone || list->blocks[b].kind != PAIR_BLOCK_GHOST)
-            plan_block(&s->plan.pairs, t, b);
+            plan_move(&visits->moves, t, plan->late[r].first, plan->late[r].last, plan->late[r].size_class);
+        if (alone || list->blocks[b].kind != PAIR_BLOCK_GHOST)
+            plan_block(&visits->pairs, t, b);
     }
 }
 
@@ -49,13 +49,17 @@ static void sweep_run(struct simulation *s) {
         if (s->ranks.alone) {
 #pragma omp for schedule(static, 1)
             for (int t = 0; t < s->threads; t++)
-                early_move(s, t);
+                early_move(s->search.sweep, &s->plan.moves, t);
         }
 #pragma omp for schedule(static, 1) nowait
         for (int t = 0; t < s->threads; t++)
-            late_sweep(s, t);
+            late_sweep(&s->search, &s->plan, s->ranks.alone, t);
     }
     decide_begin(s);
+}
+
+static void receive_run(struct simulation *s) {
+    values_receive(s->ranks.ghosts, s->particles);
 }
 
 static void copies_run(struct simulation *s) {
@@ -79,16 +83,12 @@ static void verify_run(struct simulation *s) {
     plan_block_all(&s->plan.pairs, s->search.list);
 }
 
-static bool needs_copies(const struct simulation *s) {
-    return !s->ranks.alone;
-}
-
-const struct engine_pass fused_sweep[] = {{"plan", "new pairs", "pairs", NULL, plan_sweep},
-                                          {"early", "several ranks", "advance", needs_copies, early_run},
-                                          {"sweep", NULL, "sweep", NULL, sweep_run},
-                                          {"receive", "several ranks", "comm", needs_copies, values_receive},
-                                          {"copies", "several ranks", "contact", needs_copies, copies_run},
-                                          {"verify", NULL, "decide", NULL, verify_run},
+const struct engine_pass fused_sweep[] = {{"plan", "new pairs", "pairs", 0, plan_sweep},
+                                          {"early", "several ranks", "advance", NEED_RANKS, early_run},
+                                          {"sweep", NULL, "sweep", 0, sweep_run},
+                                          {"receive", "several ranks", "comm", NEED_RANKS, receive_run},
+                                          {"copies", "several ranks", "contact", NEED_RANKS, copies_run},
+                                          {"verify", NULL, "decide", 0, verify_run},
                                           {0}};
 
 bool fused_due(const struct simulation *s) {

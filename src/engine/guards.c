@@ -22,14 +22,14 @@ static void guard_trip(struct simulation *s, enum scene_guard guard, enum guard_
 }
 
 /* The fastest of the free and moved particles of this rank. */
-static size_t fastest_find(const struct simulation *s, double *speed) {
+static size_t fastest_find(const struct particles *particles, double *speed) {
     size_t worst = 0;
     double most = -1;
-    const uint8_t *kind = kinds_of(s->particles);
-    for (size_t k = 0; k < s->particles->owned; k++) {
+    const uint8_t *kind = kinds_of(particles);
+    for (size_t k = 0; k < particles->owned; k++) {
         if (kind && kind[k] != KIND_GRAIN)
             continue;
-        const double *v = s->particles->state[k].v;
+        const double *v = particles->state[k].v;
         double v2 = v[0] * v[0] + v[1] * v[1] + v[2] * v[2];
         if (v2 > most) {
             most = v2;
@@ -41,30 +41,31 @@ static size_t fastest_find(const struct simulation *s, double *speed) {
 }
 
 /* The largest squared speed of the last drift; tells whether all are numbers. */
-static double fastest_drift(const struct simulation *s, bool *finite) {
+static double fastest_drift(const struct search *search, int threads, int classes, bool *finite) {
     double fastest = 0;
     *finite = true;
-    for (int t = 0; t < s->threads; t++)
-        for (int c = 0; c < s->classes.count; c++) {
-            *finite = *finite && isfinite(s->search.speed[t][c]);
-            fastest = fmax(fastest, s->search.speed[t][c]);
+    for (int t = 0; t < threads; t++)
+        for (int c = 0; c < classes; c++) {
+            *finite = *finite && isfinite(search->speed[t][c]);
+            fastest = fmax(fastest, search->speed[t][c]);
         }
     return fastest;
 }
 
 /* The smallest radius of grains. */
-static double least_radius(const struct simulation *s) {
+static double least_radius(const struct size_classes *classes) {
     int first = 0; /* class of grains */
-    while (first < s->classes.count - 1 && s->classes.kind[first] != KIND_GRAIN)
+    while (first < classes->count - 1 && classes->kind[first] != KIND_GRAIN)
         first++;
-    return s->classes.radius_min[first];
+    return classes->radius_min[first];
 }
 
 /* A particle that moves by more than the smallest radius in a step may pass through another particle without
  * contact. This check also finds a speed that is not a number. */
 static void guard_speed(struct simulation *s) {
     bool finite;
-    double fastest = fastest_drift(s, &finite), bound = least_radius(s), speed;
+    double fastest = fastest_drift(&s->search, s->threads, s->classes.count, &finite),
+           bound = least_radius(&s->classes), speed;
     if (!finite) {
         guards_check_finite(s);
         return;
@@ -73,7 +74,7 @@ static void guard_speed(struct simulation *s) {
         !(sqrt(fastest) * s->clock.dt > bound) || s->particles->owned == 0)
         return;
     char text[512], one[TRIP_NAME_MAX];
-    size_t worst = fastest_find(s, &speed);
+    size_t worst = fastest_find(s->particles, &speed);
     if (!(speed * s->clock.dt > bound))
         return;
     trip_name(s->particles, &s->box, worst, one);
@@ -143,19 +144,19 @@ void guards_check_finite(struct simulation *s) {
 }
 
 /* Always stops the run, as the unwrapped position of such a particle is lost. */
-void guards_check_images(struct simulation *s) {
-    const struct box *box = &s->box;
-    for (size_t k = 0; k < s->particles->owned; k++) {
-        double *x = s->particles->state[k].x;
+void guards_check_images(struct particles *particles, const struct box *box, const struct clock *clock,
+                         struct error *error) {
+    for (size_t k = 0; k < particles->owned; k++) {
+        double *x = particles->state[k].x;
         for (int d = 0; d < 3; d++) {
             if (!box->periodic[d] || (x[d] >= 0 && x[d] < box->edge[d]))
                 continue;
-            error_set(&s->error, ERROR_PHYSICS,
+            error_set(error, ERROR_PHYSICS,
                       "particle %lld has crossed the periodic box in %c more often than 32 bits count, at "
                       "step %llu, "
                       "t = %.9g",
-                      (long long)s->particles->id[k], "xyz"[d], (unsigned long long)s -> clock.step,
-                      s->clock.time);
+                      (long long)particles->id[k], "xyz"[d], (unsigned long long)clock -> step,
+                      clock -> time);
             x[d] = 0;
         }
     }
@@ -195,33 +196,34 @@ bool guards_prepare(struct simulation *s, struct error *error) {
     return true;
 }
 
-bool guards_energy_due(const struct simulation *s, uint64_t step) {
-    const struct guard_energy *energy = &s->guards.energy;
+bool guards_energy_due(const struct guard_energy *energy, uint64_t step) {
     return energy->wanted && step % (energy->mechanical ? ENERGY_EVERY_AUTO : ENERGY_EVERY) == 0;
 }
 
 /* Sums over all ranks of the energies: of grains, then of others. */
 enum { WORK = GRAINS_ENERGIES, HELD, GONE, ENERGIES };
-static void energies_find(const struct simulation *s, double energy[ENERGIES]) {
-    const struct physics_active *mover = s->physics.mover, *obstacles = s->physics.obstacles;
+static void energies_find(const struct physics_set *set, const struct comm *comm, bool mechanical,
+                          double energy[ENERGIES]) {
+    const struct physics_active *mover = set->mover, *obstacles = set->obstacles;
     struct physics_energy others;
     memset(energy, 0, ENERGIES * sizeof *energy);
     if (mover->row->mover->energies)
-        mover->row->mover->energies(&mover->context, s->guards.energy.mechanical, energy);
-    physics_energies(&s->physics, &others);
+        mover->row->mover->energies(&mover->context, mechanical, energy);
+    physics_energies(set, &others);
     energy[WORK] = (obstacles ? obstacles->row->obstacles->work(&obstacles->context) : 0) + others.work;
     energy[HELD] = others.held;
     energy[GONE] = others.taken;
-    comm_sum(s->comm, energy, ENERGIES);
+    comm_sum(comm, energy, ENERGIES);
 }
 
 /* Measures the balance, and the energy in play: the largest value that any form of energy has reached.
  * Potential energy is left out, as its zero is arbitrary. */
-static void energy_measure(const struct simulation *s, double *balance, double *in_play) {
+static void energy_measure(const struct physics_set *set, const struct comm *comm, bool summed,
+                           double *balance, double *in_play) {
     double energy[ENERGIES];
-    energies_find(s, energy);
+    energies_find(set, comm, !summed, energy);
     double dissipated = energy[GRAINS_TAKEN] - energy[GRAINS_TANGENTIAL] + energy[GONE];
-    if (s->guards.energy.mechanical)
+    if (!summed)
         dissipated = 0; /* not summed at each step */
     double mechanical = energy[GRAINS_KINETIC] + energy[GRAINS_ROTATIONAL] + energy[GRAINS_NORMAL] +
                         energy[GRAINS_TANGENTIAL] + energy[HELD];
@@ -236,7 +238,7 @@ void guards_check_energy(struct simulation *s) {
     double balance, in_play, speed;
     uint64_t changes = s->sources.inserted + s->sources.deleted;
     physics_full_step(&s->physics);
-    energy_measure(s, &balance, &in_play);
+    energy_measure(&s->physics, s->comm, !energy->mechanical, &balance, &in_play);
     energy->in_play = fmax(energy->in_play, in_play);
     if (!energy->begun || changes != energy->changes || s->sources.last_step > energy->step) {
         energy->gained += energy->begun ? balance - energy->last : 0; /* energy of particles that came */
@@ -257,7 +259,7 @@ void guards_check_energy(struct simulation *s) {
     if (!(growth > bound * energy->in_play) || s->particles->owned == 0)
         return;
     char text[512], one[TRIP_NAME_MAX];
-    trip_name(s->particles, &s->box, fastest_find(s, &speed), one);
+    trip_name(s->particles, &s->box, fastest_find(s->particles, &speed), one);
     snprintf(
         text, sizeof text,
         "guards.energy: energy has grown by %.3g without cause, %.3g of the %.3g in play (bound %g), at step "

@@ -24,10 +24,11 @@ void guards_check_finite(struct simulation *simulation);
 
 /* Finds particles that particles_wrap left outside of a periodic box because it could not count their
  * crossings; a pass over all particles. */
-void guards_check_images(struct simulation *simulation);
+void guards_check_images(struct particles *particles, const struct box *box, const struct clock *clock,
+                         struct error *error);
 
 /* True if guards_check_energy is to follow that step, which then needs the energy sums. */
-bool guards_energy_due(const struct simulation *simulation, uint64_t step);
+bool guards_energy_due(const struct guard_energy *energy, uint64_t step);
 
 /* Checks the growth of energy without cause: kinetic + elastic + gravity + dissipated - work of walls,
  * without the energy of particles that came or went. Collective. */

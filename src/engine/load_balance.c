@@ -21,9 +21,7 @@
 static const double remembered = 0.995;
 
 /* Weights of the owned particles by the last pair list; returns their sum. */
-static double weights_by_pairs(const struct simulation *s, double *weight) {
-    const struct pairlist *list = s->search.list;
-    size_t owned = s->particles->owned;
+static double weights_by_pairs(const struct pairlist *list, size_t owned, double *weight) {
     double sum = 0;
     for (size_t k = 0; k < owned; k++)
         weight[k] = 1;
@@ -37,21 +35,21 @@ static double weights_by_pairs(const struct simulation *s, double *weight) {
 }
 
 /* Divides the box by the positions that migration will use; false if the division stays as it is. */
-static bool divide(struct simulation *s, const double *weight) {
-    const struct box *box = &s->box;
-    size_t owned = s->particles->owned;
+static bool divide(struct ranks *ranks, const struct particles *particles, const struct box *box,
+                   const struct comm *comm, const double *weight) {
+    size_t owned = particles->owned;
     double(*x)[3] = memory_allocate(owned, sizeof *x, "positions");
     for (size_t k = 0; k < owned; k++)
         for (int d = 0; d < 3; d++) {
-            x[k][d] = s->particles->state[k].x[d];
+            x[k][d] = particles->state[k].x[d];
             if (!isfinite(x[k][d]))
                 x[k][d] = 0; /* a guard will stop the run */
             else if (box->periodic[d])
                 x[k][d] -= floor(x[k][d] / box->edge[d]) * box->edge[d];
         }
     struct balance_load load = {owned, (const double(*)[3])x, weight};
-    bool divided = balance_divide(s->ranks.domain, s->comm, box, &load);
-    domain_wrap(s->ranks.domain, s->ranks.wrap);
+    bool divided = balance_divide(ranks->domain, comm, box, &load);
+    domain_wrap(ranks->domain, ranks->wrap);
     memory_free(x);
     return divided;
 }
@@ -63,37 +61,36 @@ static size_t density_bin(const struct box *box, int d, double x) {
     return (size_t)fmin(fmax(at * DOMAIN_DENSITY_BINS, 0), DOMAIN_DENSITY_BINS - 1);
 }
 
-double *load_map(const struct simulation *s) {
+double *load_map(const struct particles *particles, const struct box *box, const struct comm *comm) {
     enum { BINS = DOMAIN_DENSITY_BINS };
     double *density = memory_allocate_zero((size_t)BINS * BINS * BINS, sizeof *density, "map of particles");
-    for (size_t k = 0; k < s->particles->owned; k++) {
-        const double *x = s->particles->state[k].x;
+    for (size_t k = 0; k < particles->owned; k++) {
+        const double *x = particles->state[k].x;
         size_t bin[3];
         for (int d = 0; d < 3; d++)
-            bin[d] = density_bin(&s->box, d, x[d]);
+            bin[d] = density_bin(box, d, x[d]);
         density[bin[0] + BINS * (bin[1] + BINS * bin[2])]++;
     }
-    comm_sum(s->comm, density, BINS * BINS * BINS);
+    comm_sum(comm, density, BINS * BINS * BINS);
     return density;
 }
 
 /* True if a checkpoint's grid serves this run, too. */
-static bool grid_serves(const struct simulation *s, const int grid[3]) {
-    const int *wanted = s->scene->domain.grid;
+static bool grid_serves(const int wanted[3], int ranks, const int grid[3]) {
     for (int d = 0; d < 3; d++)
         if (grid[d] < 1 || (wanted[d] != 0 && wanted[d] != grid[d]))
             return false;
-    return (int64_t)grid[0] * grid[1] * grid[2] == s->comm->size;
+    return (int64_t)grid[0] * grid[1] * grid[2] == ranks;
 }
 
 void load_lay(struct simulation *s, const int resumed[3]) {
     int grid[3];
     if (s->ranks.alone || domain_bisects(s->ranks.domain))
         return;
-    if (grid_serves(s, resumed)) {
+    if (grid_serves(s->scene->domain.grid, s->comm->size, resumed)) {
         memcpy(grid, resumed, sizeof grid);
     } else {
-        double *density = load_map(s);
+        double *density = load_map(s->particles, &s->box, s->comm);
         domain_grid_choose(s->comm->size, &s->box, s->scene->domain.grid, density, grid);
         memory_free(density);
     }
@@ -108,24 +105,24 @@ void load_begin(struct simulation *s) {
     double *weight = memory_allocate(s->particles->owned, sizeof *weight, "weights");
     for (size_t k = 0; k < s->particles->owned; k++)
         weight[k] = 1;
-    divide(s, weight);
+    divide(&s->ranks, s->particles, &s->box, s->comm, weight);
     memory_free(weight);
 }
 
-void load_restore(struct simulation *s, struct domain_tree *tree, bool fresh, double reached) {
-    domain_divide(s->ranks.domain, tree);
-    domain_wrap(s->ranks.domain, s->ranks.wrap);
-    s->ranks.load.begun = true;
-    s->ranks.load.fresh = fresh;
-    s->ranks.load.reached = reached;
+void load_restore(struct ranks *ranks, struct domain_tree *tree, bool fresh, double reached) {
+    domain_divide(ranks->domain, tree);
+    domain_wrap(ranks->domain, ranks->wrap);
+    ranks->load.begun = true;
+    ranks->load.fresh = fresh;
+    ranks->load.reached = reached;
 }
 
 /* The largest load over the mean. */
-static double imbalance_of(const struct simulation *s, double load) {
+static double imbalance_of(const struct comm *comm, double load) {
     double sum = load, most = load;
-    comm_sum(s->comm, &sum, 1);
-    comm_max(s->comm, &most, 1);
-    return sum > 0 ? most * s->comm->size / sum : 1;
+    comm_sum(comm, &sum, 1);
+    comm_max(comm, &most, 1);
+    return sum > 0 ? most * comm->size / sum : 1;
 }
 
 void load_balance(struct simulation *s) {
@@ -134,7 +131,7 @@ void load_balance(struct simulation *s) {
         return;
     size_t owned = s->particles->owned;
     double *weight = memory_allocate(owned, sizeof *weight, "weights");
-    double sum = weights_by_pairs(s, weight), load = sum;
+    double sum = weights_by_pairs(s->search.list, owned, weight), load = sum;
     if (options->weights == DOMAIN_WEIGHTS_PARTICLES) {
         load = (double)owned;
         for (size_t k = 0; k < owned; k++)
@@ -146,14 +143,14 @@ void load_balance(struct simulation *s) {
         for (size_t k = 0; k < owned; k++)
             weight[k] *= load / sum;
     }
-    double imbalance = imbalance_of(s, load);
+    double imbalance = imbalance_of(s->comm, load);
     if (s->ranks.load.fresh)
         s->ranks.load.reached = imbalance;
     else
         s->ranks.load.reached = 1 + remembered * (s->ranks.load.reached - 1);
     s->ranks.load.fresh = false;
     if (imbalance > options->threshold && imbalance > 1.05 * s->ranks.load.reached) {
-        s->ranks.load.fresh = divide(s, weight);
+        s->ranks.load.fresh = divide(&s->ranks, s->particles, &s->box, s->comm, weight);
         s->ranks.load.divisions += s->ranks.load.fresh;
         s->ranks.load.reached = imbalance;
     }

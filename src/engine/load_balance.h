@@ -11,7 +11,7 @@
 void load_lay(struct simulation *simulation, const int resumed[3]);
 
 /* The map of the particles of all ranks for domain_grid_choose; memory_free. Collective. */
-double *load_map(const struct simulation *simulation);
+double *load_map(const struct particles *particles, const struct box *box, const struct comm *comm);
 
 /* Divides the box by the numbers of particles, once, before the first migration. Does nothing for bricks.
  * Collective. */
@@ -20,7 +20,7 @@ void load_begin(struct simulation *simulation);
 /* Divides the box by the tree of a checkpoint written on as many ranks; becomes the owner of the tree.
  * `fresh`: the imbalance has not been measured since the division. `reached`: the imbalance after the
  * division. */
-void load_restore(struct simulation *simulation, struct domain_tree *tree, bool fresh, double reached);
+void load_restore(struct ranks *ranks, struct domain_tree *tree, bool fresh, double reached);
 
 /* At a rebuild, while the last pair list is still valid: divides the box again if the loads have become
  * uneven. Collective. */

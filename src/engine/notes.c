@@ -18,15 +18,15 @@ void notes_extent_add(struct extent *extent, const double x[3], double reach) {
 
 /* The extent of the particles on all ranks, without those that lie behind boundaries, and the number of centres beyond an open side of the box.
  * Collective. */
-static struct extent particles_extent(const struct simulation *s, int64_t *outside) {
-    const struct box *box = &s->box;
+static struct extent particles_extent(const struct particles *particles, const struct box *box,
+                                      const struct comm *comm, int64_t *outside) {
     struct extent extent = notes_nothing;
-    const uint8_t *kind = kinds_of(s->particles);
+    const uint8_t *kind = kinds_of(particles);
     *outside = 0;
-    for (size_t k = 0; k < s->particles->owned; k++) {
+    for (size_t k = 0; k < particles->owned; k++) {
         if (kind && kind[k] == KIND_BOUNDARY)
             continue;
-        const struct particle_state *p = &s->particles->state[k];
+        const struct particle_state *p = &particles->state[k];
         double x[3];
         bool out = false;
         for (int d = 0; d < 3; d++) {
@@ -36,16 +36,15 @@ static struct extent particles_extent(const struct simulation *s, int64_t *outsi
         notes_extent_add(&extent, x, p->radius);
         *outside += out;
     }
-    comm_min(s->comm, extent.lower, 3);
-    comm_max(s->comm, extent.upper, 3);
-    comm_sum_int(s->comm, outside, 1);
+    comm_min(comm, extent.lower, 3);
+    comm_max(comm, extent.upper, 3);
+    comm_sum_int(comm, outside, 1);
     return extent;
 }
 
-double notes_moved(const struct simulation *s, const struct notes *notes) {
-    return s->classes.count && s->classes.radius_min[0] > 0
-               ? notes->speed_expected * s->clock.dt / s->classes.radius_min[0]
-               : 0;
+double notes_moved(const struct notes *notes, const struct size_classes *classes, double dt) {
+    return classes->count && classes->radius_min[0] > 0 ? notes->speed_expected * dt / classes->radius_min[0]
+                                                        : 0;
 }
 
 /* The place of a new note; -1: none is free. */
@@ -72,10 +71,10 @@ void notes_add(struct notes *notes, bool warning, const char *format, ...) {
 }
 
 /* Notes insertion regions that reach out of the box where the box does not keep particles. */
-static void look_at_insertions(const struct simulation *s, struct notes *notes) {
-    const struct box *box = &s->box;
-    for (int k = 0; k < s->scene->insertions; k++) {
-        const struct insertion_options *insertion = &s->sources.insertion[k].options;
+static void look_at_insertions(const struct sources *sources, int count, const struct box *box,
+                               struct notes *notes) {
+    for (int k = 0; k < count; k++) {
+        const struct insertion_options *insertion = &sources->insertion[k].options;
         double lower[3], upper[3], smallest, largest;
         region_bounds(&insertion->region, lower, upper);
         sizes_bounds(&insertion->sizes, &smallest, &largest);
@@ -106,12 +105,11 @@ static void look_at_guard(struct notes *notes, enum scene_guard guard, const cha
         snprintf(notes->stops + used, sizeof notes->stops - used, "%s%s", used ? ", " : "", name);
 }
 
-static void look_at_guards(const struct simulation *s, struct notes *notes) {
-    const struct scene_guards *guards = &s->scene->guards;
+static void look_at_guards(const struct scene_guards *guards, double moved, struct notes *notes) {
     char what[128];
-    if (notes_moved(s, notes) > 1) {
+    if (moved > 1) {
         snprintf(what, sizeof what, "a particle moves by %.3g of the smallest radius in a step (bound 1)",
-                 notes_moved(s, notes));
+                 moved);
         look_at_guard(notes, guards->speed, "guards.speed", what);
     }
     if (notes->overlap_expected > guards->overlap_bound) {
@@ -119,9 +117,6 @@ static void look_at_guards(const struct simulation *s, struct notes *notes) {
                  notes->overlap_expected, guards->overlap_bound);
         look_at_guard(notes, guards->overlap, "guards.overlap", what);
     }
-    if (s->clock.dt > s->timing.stable)
-        notes_add(notes, true, "the time step is %.3g of the stable one: energy will grow",
-                  s->clock.dt / s->timing.stable);
 }
 
 /* Notes a density that is probably in g/cm3. */
@@ -132,8 +127,7 @@ static void look_at_density(const struct scene *scene, double density, const cha
                   density, density);
 }
 
-static void look_at_densities(const struct simulation *s, struct notes *notes) {
-    const struct scene *scene = s->scene;
+static void look_at_densities(const struct scene *scene, struct notes *notes) {
     char key[64];
     for (int k = 0; k < scene->materials; k++) {
         snprintf(key, sizeof key, "materials[%d].density", k);
@@ -150,8 +144,7 @@ static void look_at_densities(const struct simulation *s, struct notes *notes) {
 }
 
 /* Notes a run of hours whose only output is the last state. */
-static void look_at_output(const struct simulation *s, struct notes *notes) {
-    const struct output_options *output = &s->scene->output;
+static void look_at_output(const struct output_options *output, struct notes *notes) {
     if (!output_interval_set(&output->trajectory.every) &&
         !output_interval_set(&output->trajectory.contacts) && !output_interval_set(&output->dump.every) &&
         !output_interval_set(&output->observables.every))
@@ -162,7 +155,7 @@ static void look_at_output(const struct simulation *s, struct notes *notes) {
 
 void notes_take(const struct simulation *s, struct notes *notes) {
     *notes = (struct notes){0};
-    notes->particles = particles_extent(s, &notes->outside);
+    notes->particles = particles_extent(s->particles, &s->box, s->comm, &notes->outside);
     if (s->scene->note[0])
         notes_add(notes, false, "%s", s->scene->note);
     if (notes->outside > 0)
@@ -172,18 +165,21 @@ void notes_take(const struct simulation *s, struct notes *notes) {
             "'where it is' of scree check, tell why)",
             (long long)notes->outside, (unsigned long long)s->total);
     notes->total = s->total;
-    look_at_densities(s, notes);
-    look_at_insertions(s, notes);
+    look_at_densities(s->scene, notes);
+    look_at_insertions(&s->sources, s->scene->insertions, &s->box, notes);
     PHYSICS_EACH (active, &s->physics, shown)
         if (active->row->shown->notes)
             active->row->shown->notes(&active->context, notes);
-    look_at_output(s, notes);
-    look_at_guards(s, notes);
+    look_at_output(&s->scene->output, notes);
+    look_at_guards(&s->scene->guards, notes_moved(notes, &s->classes, s->clock.dt), notes);
+    if (s->clock.dt > s->timing.stable)
+        notes_add(notes, true, "the time step is %.3g of the stable one: energy will grow",
+                  s->clock.dt / s->timing.stable);
 }
 
-void notes_seen(const struct simulation *s, uint64_t first, struct notes *notes) {
+void notes_seen(const struct physics_set *set, uint64_t first, struct notes *notes) {
     *notes = (struct notes){0};
-    PHYSICS_EACH (active, &s->physics, shown)
+    PHYSICS_EACH (active, set, shown)
         if (active->row->shown->seen)
             active->row->shown->seen(&active->context, first, notes);
 }

@@ -40,13 +40,13 @@ void notes_add(struct notes *notes, bool warning, const char *format, ...)
     __attribute__((format(printf, 3, 4)));
 
 /* The distance moved in a step at the expected speed, over the smallest radius. */
-double notes_moved(const struct simulation *simulation, const struct notes *notes);
+double notes_moved(const struct notes *notes, const struct size_classes *classes, double dt);
 
 /* Makes all notes, before the first step. Collective. */
 void notes_take(const struct simulation *simulation, struct notes *notes);
 
 /* Makes the notes on what a run that began at step `first` has seen, at its end. Any rank, without communication. */
-void notes_seen(const struct simulation *simulation, uint64_t first, struct notes *notes);
+void notes_seen(const struct physics_set *set, uint64_t first, struct notes *notes);
 
 /* Prints a line each, "NOTE: ..." or "warning: ...", with `before` in front. */
 void notes_print(const struct notes *notes, const char *before, FILE *file);

@@ -7,10 +7,10 @@
 #include <stdio.h>
 #include <string.h>
 
-bool outputs_want_sums(const struct outputs *o, const struct simulation *s, uint64_t step) {
-    double time = s->clock.time_base + (double)(step - s->clock.step_base) * s->clock.dt;
+bool outputs_want_sums(const struct outputs *o, const struct clock *clock, uint64_t step) {
+    double time = clock_time(clock, step);
     return o->observables && observables_need_sums(o->observables) &&
-           output_interval_due(&o->options->observables.every, step, time, s->clock.dt);
+           output_interval_due(&o->options->observables.every, step, time, clock->dt);
 }
 
 bool outputs_sum_each_step(const struct outputs *o) {
@@ -68,62 +68,62 @@ const struct output_interval *outputs_grid_every(const struct output_options *op
     return output_interval_set(own) ? own : &options->observables.every;
 }
 
-static bool interval_due(const struct output_interval *every, const struct simulation *s, uint64_t step) {
-    double time = s->clock.time_base + (double)(step - s->clock.step_base) * s->clock.dt;
-    return output_interval_due(every, step, step == s->clock.step ? s->clock.time : time, s->clock.dt);
+static bool interval_due(const struct output_interval *every, const struct clock *clock, uint64_t step) {
+    double time = clock_time(clock, step);
+    return output_interval_due(every, step, step == clock->step ? clock->time : time, clock->dt);
 }
 
-static bool grid_due(const struct outputs *o, const struct simulation *s, uint64_t step, int k) {
-    return interval_due(outputs_grid_every(o->options, k), s, step);
+static bool grid_due(const struct outputs *o, const struct clock *clock, uint64_t step, int k) {
+    return interval_due(outputs_grid_every(o->options, k), clock, step);
 }
 
-bool outputs_due(const struct outputs *o, const struct simulation *s, uint64_t step) {
+bool outputs_due(const struct outputs *o, const struct clock *clock, uint64_t step) {
     const struct output_interval *every[] = {&o->options->observables.every, &o->options->trajectory.every,
                                              &o->options->trajectory.contacts, &o->options->dump.every,
                                              &o->options->walls.every};
     for (size_t k = 0; k < sizeof every / sizeof every[0]; k++)
-        if (interval_due(every[k], s, step))
+        if (interval_due(every[k], clock, step))
             return true;
     for (int k = 0; k < o->options->observables.grids; k++)
-        if (grid_due(o, s, step, k))
+        if (grid_due(o, clock, step, k))
             return true;
     return false;
 }
 
 bool outputs_write(struct outputs *o, const struct simulation *s, struct error *error) {
     const struct output_options *options = o->options;
+    const struct clock *clock = &s->clock;
     struct output_view view = simulation_view(s);
     bool good = true;
     if (o->observables &&
-        output_interval_due(&options->observables.every, s->clock.step, s->clock.time, s->clock.dt))
+        output_interval_due(&options->observables.every, clock->step, clock->time, clock->dt))
         good = row_write(o, &view, error);
     if (good && o->h5md &&
-        output_interval_due(&options->trajectory.every, s->clock.step, s->clock.time, s->clock.dt))
+        output_interval_due(&options->trajectory.every, clock->step, clock->time, clock->dt))
         good = frame_write(o, &view, true, error);
     if (good && o->h5md &&
-        output_interval_due(&options->trajectory.contacts, s->clock.step, s->clock.time, s->clock.dt))
+        output_interval_due(&options->trajectory.contacts, clock->step, clock->time, clock->dt))
         good = contacts_write(o, &view, error);
-    if (good && o->dump &&
-        output_interval_due(&options->dump.every, s->clock.step, s->clock.time, s->clock.dt))
+    if (good && o->dump && output_interval_due(&options->dump.every, clock->step, clock->time, clock->dt))
         good = frame_write(o, &view, false, error);
-    if (good && o->walls &&
-        output_interval_due(&options->walls.every, s->clock.step, s->clock.time, s->clock.dt))
+    if (good && o->walls && output_interval_due(&options->walls.every, clock->step, clock->time, clock->dt))
         good = wall_frames_write(o->walls, &view, error);
     for (int k = 0; good && k < options->observables.grids; k++)
-        if (grid_due(o, s, s->clock.step, k))
+        if (grid_due(o, clock, clock->step, k))
             good = observables_grid_write(o->grid[k], &view, error);
-    return good && (!outputs_due(o, s, s->clock.step) || outputs_tables(s, error));
+    return good && (!outputs_due(o, clock, clock->step) || outputs_tables(&s->physics, s->comm, error));
 }
 
-bool outputs_tables(const struct simulation *s, struct error *error) {
+bool outputs_tables(const struct physics_set *set, const struct comm *comm, struct error *error) {
     bool has = false;
-    PHYSICS_EACH (active, &s->physics, table) {
+    PHYSICS_EACH (active, set, table) {
         has = true;
         active->row->table->write(&active->context, error);
     }
-    return !has || comm_agree(s->comm, error);
+    return !has || comm_agree(comm, error);
 }
 
-bool outputs_flush(struct outputs *o, const struct simulation *s, struct error *error) {
-    return outputs_tables(s, error) && (o->h5md == NULL || h5md_flush(o->h5md, error));
+bool outputs_flush(struct outputs *o, const struct physics_set *set, const struct comm *comm,
+                   struct error *error) {
+    return outputs_tables(set, comm, error) && (o->h5md == NULL || h5md_flush(o->h5md, error));
 }

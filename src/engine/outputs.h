@@ -26,7 +26,7 @@ bool outputs_open(struct outputs *outputs, const struct simulation *simulation, 
                   struct error *error);
 
 /* Tells whether the step to come writes observables that need sums, so that its forces compute them. */
-bool outputs_want_sums(const struct outputs *outputs, const struct simulation *simulation, uint64_t step);
+bool outputs_want_sums(const struct outputs *outputs, const struct clock *clock, uint64_t step);
 
 /* The interval of a grid: its own, or that of the observables. */
 const struct output_interval *outputs_grid_every(const struct output_options *options, int grid);
@@ -36,16 +36,17 @@ bool outputs_sum_each_step(const struct outputs *outputs);
 
 /* True if outputs_write has anything to write at this step, the present one or the next: the values that physics show must
  * then be computed (physics_look). */
-bool outputs_due(const struct outputs *outputs, const struct simulation *simulation, uint64_t step);
+bool outputs_due(const struct outputs *outputs, const struct clock *clock, uint64_t step);
 
 /* Writes all outputs that are due at the present step. Collective. */
 bool outputs_write(struct outputs *outputs, const struct simulation *simulation, struct error *error);
 
 /* Writes the rows that wait of the tables of physics. Collective. */
-bool outputs_tables(const struct simulation *simulation, struct error *error);
+bool outputs_tables(const struct physics_set *set, const struct comm *comm, struct error *error);
 
 /* Writes the data that wait for the next frame, and the tables. Collective. */
-bool outputs_flush(struct outputs *outputs, const struct simulation *simulation, struct error *error);
+bool outputs_flush(struct outputs *outputs, const struct physics_set *set, const struct comm *comm,
+                   struct error *error);
 
 /* Writes the first observables of the last row as ", energy_kinetic 0.3 J, ..." to `text`; "" before the first
  * row. `outputs` is a struct outputs *, or NULL. */

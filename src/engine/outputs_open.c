@@ -14,22 +14,22 @@ static bool h5md_wanted(const struct outputs *o) {
 }
 
 /* Puts the place of `key` in the scene before the text of a user's error. */
-static bool fail_at(const struct simulation *s, const char *key, struct error *error) {
+static bool fail_at(const struct scene *scene, const char *key, struct error *error) {
     char place[SCENE_PATH_MAX];
     struct error plain = *error;
     if (plain.kind != ERROR_USER)
         return false;
     *error = (struct error){0};
-    error_set(error, ERROR_USER, "%s: %s", scene_place(s->scene, key, place, sizeof place), plain.text);
+    error_set(error, ERROR_USER, "%s: %s", scene_place(scene, key, place, sizeof place), plain.text);
     return false;
 }
 
 /* True if a particle has this id. Collective. */
-static bool id_there(const struct simulation *s, int64_t id) {
+static bool id_there(const struct particles *particles, const struct comm *comm, int64_t id) {
     int64_t found = 0;
-    for (size_t k = 0; k < s->particles->owned; k++)
-        found += s->particles->id[k] == id;
-    comm_sum_int(s->comm, &found, 1);
+    for (size_t k = 0; k < particles->owned; k++)
+        found += particles->id[k] == id;
+    comm_sum_int(comm, &found, 1);
     return found > 0;
 }
 
@@ -40,12 +40,12 @@ static bool observables_check_ids(const struct simulation *s, struct error *erro
     for (int k = 0; s->scene->insertions == 0 && k < options->count; k++) {
         int64_t id = options->request[k].id;
         char key[64];
-        if (id <= 0 || (s->resumed.dt > 0 ? id < s->sources.next_id : id_there(s, id)))
+        if (id <= 0 || (s->resumed.dt > 0 ? id < s->sources.next_id : id_there(s->particles, s->comm, id)))
             continue;
         snprintf(key, sizeof key, "observables.list[%d].id", k);
         error_set(error, ERROR_USER, "%s: there is no particle %lld; ids go up to %lld", key, (long long)id,
                   (long long)s->sources.next_id - 1);
-        return fail_at(s, key, error);
+        return fail_at(s->scene, key, error);
     }
     return true;
 }
@@ -55,20 +55,18 @@ static bool observables_prepare(struct outputs *o, const struct simulation *s, s
     if (!observables_check_ids(s, error))
         return false;
     return observables_create(&o->observables, &o->options->observables, &view, o->run, error) ||
-           fail_at(s, "observables.list", error);
+           fail_at(s->scene, "observables.list", error);
 }
 
-static bool grids_open(struct outputs *o, const struct simulation *s, bool resumed, struct error *error) {
-    const struct output_view view = simulation_view(s);
+static bool grids_open(struct outputs *o, const struct output_view *view, bool resumed, struct error *error) {
     bool good = true;
     for (int k = 0; good && k < o->options->observables.grids; k++)
-        good = observables_grid_open(&o->grid[k], &o->options->observables.grid[k], &view, o->run->directory,
-                                     resumed ? s->clock.time : -1, error);
+        good = observables_grid_open(&o->grid[k], &o->options->observables.grid[k], view, o->run->directory,
+                                     resumed ? view->time : -1, error);
     return good;
 }
 
-static bool files_open(struct outputs *o, const struct simulation *s, bool resumed, struct error *error) {
-    int64_t step = resumed ? (int64_t)s->clock.step : -1;
+static bool files_open(struct outputs *o, const struct comm *comm, int64_t step, struct error *error) {
     char path[FILE_PATH_MAX];
     if (h5md_wanted(o)) {
         struct h5md_head head = {.lineage = o->run->lineage,
@@ -79,16 +77,16 @@ static bool files_open(struct outputs *o, const struct simulation *s, bool resum
                                  .xdmf = o->options->trajectory.xdmf,
                                  .seed = o->run->seed};
         snprintf(path, sizeof path, "%s/trajectory.h5", o->run->directory);
-        if (!h5md_open(&o->h5md, s->comm, path, &head, step, error))
+        if (!h5md_open(&o->h5md, comm, path, &head, step, error))
             return false;
     }
     if (output_interval_set(&o->options->dump.every)) {
         snprintf(path, sizeof path, "%s/dump.lammpstrj", o->run->directory);
-        if (!dump_open(&o->dump, s->comm, path, step, error))
+        if (!dump_open(&o->dump, comm, path, step, error))
             return false;
     }
     return !output_interval_set(&o->options->walls.every) ||
-           wall_frames_open(&o->walls, s->comm, o->run->directory, step, error);
+           wall_frames_open(&o->walls, comm, o->run->directory, step, error);
 }
 
 struct output_run outputs_run(const struct simulation *s, const char *directory) {
@@ -115,10 +113,10 @@ bool outputs_create(struct outputs **outputs, const struct simulation *s, const 
     o->options = &s->scene->output;
     o->run = run;
     bool good = (frame_check_fields(&o->options->trajectory.fields, s->particles, error) ||
-                 fail_at(s, "output.trajectory.fields", error)) &&
+                 fail_at(s->scene, "output.trajectory.fields", error)) &&
                 ((frame_check_fields(&o->options->dump.fields, s->particles, error) &&
                   dump_check_fields(&o->options->dump.fields, s->particles, error)) ||
-                 fail_at(s, "output.dump.fields", error));
+                 fail_at(s->scene, "output.dump.fields", error));
     if (good && output_interval_set(&o->options->observables.every))
         good = observables_prepare(o, s, error);
     *outputs = o;
@@ -145,12 +143,13 @@ bool outputs_go_on(const struct outputs *o, const struct comm *comm, struct erro
 }
 
 bool outputs_open(struct outputs *o, const struct simulation *s, bool resumed, struct error *error) {
+    const struct output_view view = simulation_view(s);
+    int64_t step = resumed ? (int64_t)s->clock.step : -1;
     bool good = o->observables == NULL || observables_open(o->observables, s->comm, o->run->directory,
                                                            resumed ? s->clock.time : -1, error);
-    good = good && grids_open(o, s, resumed, error) && files_open(o, s, resumed, error);
+    good = good && grids_open(o, &view, resumed, error) && files_open(o, s->comm, step, error);
     PHYSICS_EACH (active, &s->physics, table)
-        good = good && active->row->table->open(&active->context, o->run->directory,
-                                                resumed ? (int64_t)s->clock.step : -1, error);
+        good = good && active->row->table->open(&active->context, o->run->directory, step, error);
     return comm_agree(s->comm, error) && good;
 }
 

@@ -20,12 +20,12 @@ static void add(struct plan *plan, const struct plan_pass *pass) {
 struct plan_source {
     const struct physics_set *set;
     const struct timers *timers;
-    const struct simulation *simulation;
+    unsigned holds;
 };
 
 static void add_engine(struct plan *plan, const struct plan_source *from, const struct engine_pass *pass) {
     for (; pass && pass->run; pass++)
-        if (pass->needed == NULL || pass->needed(from->simulation))
+        if ((pass->needs & ~from->holds) == 0)
             add(plan, &(struct plan_pass){.name = pass->name,
                                           .why = pass->why,
                                           .timer = stages_find(from->timers, pass->timer),
@@ -65,8 +65,8 @@ static void add_place(struct plan *plan, struct plan_visit *visit, const struct 
 }
 
 void plan_make(struct step_plan *plan, const struct physics_set *set, const struct engine_passes *engine,
-               const struct timers *timers, const struct simulation *simulation) {
-    const struct plan_source from = {set, timers, simulation};
+               const struct timers *timers, unsigned holds) {
+    const struct plan_source from = {set, timers, holds};
     *plan = (struct step_plan){.moves.speed = set->speed};
     struct plan_visit *const visit[PASS_PLACES] = {[PASS_MOVE] = &plan->moves, [PASS_PAIRS] = &plan->pairs};
     for (enum pass_place place = PASS_FIRST; place < PASS_LOOK; place++) {

@@ -23,9 +23,12 @@ struct simulation;
 struct engine_pass {
     const char *name, *why; /* as in struct physics_pass */
     const char *timer;      /* its stage (stages.h) */
-    bool (*needed)(const struct simulation *simulation);
+    unsigned needs;         /* what must hold for it to run; all that it names (enum engine_need) */
     void (*run)(struct simulation *simulation);
 };
+
+/* What a run has or has not. */
+enum engine_need { NEED_RANKS = 1, NEED_REVERSE = 2, NEED_BOX_MOTION = 4, NEED_STRESS = 8, NEED_CALLER = 16 };
 
 /* One entry: a pass of the engine's, or of a physics with its context. */
 struct plan_pass {
@@ -68,9 +71,9 @@ struct engine_passes {
 };
 
 /* Makes the plan; once a run, before the first step, after the stages have been registered with
- * `timers`. */
+ * `timers`. `holds`: what the run has (enum engine_need). */
 void plan_make(struct step_plan *plan, const struct physics_set *set, const struct engine_passes *engine,
-               const struct timers *timers, const struct simulation *simulation);
+               const struct timers *timers, unsigned holds);
 
 /* Runs the passes from number `first` on, each under its timer. */
 void plan_run(const struct plan *plan, int first, struct timers *timers, struct simulation *simulation);

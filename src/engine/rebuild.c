@@ -20,28 +20,27 @@
 #include <string.h>
 
 /* True if every periodic edge is longer than two cut-offs. */
-static bool one_image(const struct simulation *s) {
-    const struct size_classes *classes = &s->classes;
+static bool one_image(const struct size_classes *classes, const struct box *box) {
     double reach = 0;
     for (int a = 0; a < classes->count; a++)
         for (int b = 0; b <= a; b++)
             if (classes_meet(classes, a, b))
                 reach = fmax(reach, classes->radius_max[a] + classes->radius_max[b] + classes->margin[a][b]);
     for (int d = 0; d < 3; d++)
-        if (s->box.periodic[d] && s->box.edge[d] <= 2 * reach)
+        if (box->periodic[d] && box->edge[d] <= 2 * reach)
             return false;
     return true;
 }
 
 /* The smallest distance between two images of a particle that may meet the same partner; INFINITY: no two
  * images may. */
-static double images_apart(const struct simulation *s) {
+static double images_apart(const struct size_classes *classes, const struct box *box) {
     double apart = INFINITY;
-    if (one_image(s))
+    if (one_image(classes, box))
         return apart;
     for (int d = 0; d < 3; d++)
-        if (s->box.periodic[d])
-            apart = fmin(apart, s->box.edge[d]);
+        if (box->periodic[d])
+            apart = fmin(apart, box->edge[d]);
     return apart;
 }
 
@@ -49,7 +48,7 @@ static void reorder(struct simulation *s, struct rebuild_rows *rows) {
     size_t owned = s->particles->owned;
     struct index_view view;
     struct history_rows *list[REBUILD_SETS];
-    tune_begin(s);
+    tune_begin(&s->search.tuning);
     if (rows->stays && !s->search.sorts && rows->revision == s->particles->revision)
         return;
     s->search.sorts = false;
@@ -73,18 +72,20 @@ static void keep(struct simulation *s, struct rebuild_rows *rows) {
                      &rows->kept);
 }
 
-static void springs_restore(struct simulation *s, struct rebuild_rows *rows) {
+static void springs_restore(struct history *history, const struct pairlist *list, const struct ranks *ranks,
+                            struct rebuild_rows *rows) {
     struct history_twins twins = {0};
-    if (!s->ranks.alone)
-        twins.original = ghosts_own(s->ranks.ghosts, &twins.first, &twins.count);
-    history_restore(s->search.history, &rows->kept, &twins, s->search.list);
+    if (!ranks->alone)
+        twins.original = ghosts_own(ranks->ghosts, &twins.first, &twins.count);
+    history_restore(history, &rows->kept, &twins, list);
 }
 
 static void attach(struct simulation *s, struct rebuild_rows *rows) {
     if (rows->keep)
-        springs_restore(s, rows);
+        springs_restore(s->search.history, s->search.list, &s->ranks, rows);
     else if (rows->pairs.start)
-        history_attach(s->search.history, &rows->pairs, s->search.list, s->particles, images_apart(s));
+        history_attach(s->search.history, &rows->pairs, s->search.list, s->particles,
+                       images_apart(&s->classes, &s->box));
     if (rows->obstacles.start)
         s->physics.obstacles->row->obstacles->attach(&s->physics.obstacles->context, &rows->obstacles);
     skin_reset(s->search.skin, s->particles);
@@ -115,7 +116,8 @@ static void pairs_pass(struct simulation *s, struct rebuild_rows *rows) {
                             ghosts_unshift(s->ranks.ghosts, s->particles));
     interactions_select(&s->search.interactions, &s->classes, &s->search.view);
     s->search.pairs_seconds += timer_now() - start;
-    tune_end(s);
+    if (s->scene->index.measure)
+        tune_end(&s->search, s->comm);
 }
 
 /* Copies without a pair do not travel in the step. Grains read copies through pairs alone; other physics and the
@@ -150,7 +152,7 @@ static void obstacles_pass(struct simulation *s, struct rebuild_rows *rows) {
  * their originals. */
 static void follow(struct simulation *s, struct rebuild_rows *rows) {
     (void)rows;
-    if (one_image(s))
+    if (one_image(&s->classes, &s->box))
         return;
     struct field_list fields = fields_with(s->particles, FIELD_FORWARD);
     ghosts_forward_begin(s->ranks.ghosts, s->particles, &fields);
@@ -169,12 +171,12 @@ static void balance(struct simulation *s, struct rebuild_rows *rows) {
 
 static void detach(struct simulation *s, struct rebuild_rows *rows) {
     bool given = s->sources.given.added > 0 || s->sources.given.taken > 0;
-    bool none_lost = !given && !sources_due(s) && !box_may_lose(&s->box);
-    bool keeps = s->search.history && none_lost && one_image(s);
+    bool none_lost = !given && !sources_due(&s->sources, s->scene, &s->clock) && !box_may_lose(&s->box);
+    bool keeps = s->search.history && none_lost && one_image(&s->classes, &s->box);
     if (!keeps)
         rebuild_detach(s, !s->ranks.alone, rows);
     else
-        rebuild_detach_obstacles(s, rows);
+        rebuild_detach_obstacles(&s->physics, rows);
     rows->keep = keeps;
     if (keeps && !s->ranks.alone) {
         const uint32_t *originals = ghosts_originals(s->ranks.ghosts, &rows->near_count);
@@ -185,7 +187,7 @@ static void detach(struct simulation *s, struct rebuild_rows *rows) {
 }
 
 static void carry(struct simulation *s, struct rebuild_rows *rows) {
-    rebuild_carry(s, rows);
+    physics_rows(&s->physics, rows->carried);
 }
 
 /* Particles that stay on their rank do not cross the box in a direction in which the box is divided. */
@@ -201,7 +203,7 @@ static void wrap(struct simulation *s, struct rebuild_rows *rows) {
     if (particles_wrap(s->particles, &box))
         return;
     guards_check_finite(s);
-    guards_check_images(s);
+    guards_check_images(s->particles, &s->box, &s->clock, &s->error);
 }
 
 static void come_and_go(struct simulation *s, struct rebuild_rows *rows) {
@@ -213,10 +215,10 @@ static void come_and_go(struct simulation *s, struct rebuild_rows *rows) {
 }
 
 /* Where nothing moves the search has done its work. */
-static void search_release(struct simulation *s) {
-    interactions_release(&s->search.interactions);
-    index_release(s->search.index);
-    skin_release(s->search.skin);
+static void search_release(struct search *search) {
+    interactions_release(&search->interactions);
+    index_release(search->index);
+    skin_release(search->skin);
     memory_trim();
 }
 
@@ -226,75 +228,58 @@ static void tell_physics(struct simulation *s, struct rebuild_rows *rows) {
     if (s->search.sweep)
         s->search.sweep->stale = true;
     if (!rows->again && physics_rests(&s->physics))
-        search_release(s);
+        search_release(&s->search);
 }
 
-static bool many_ranks(const struct simulation *s, const struct rebuild_rows *rows) {
-    (void)rows;
-    return !s->ranks.alone;
-}
-static bool skin_chosen(const struct simulation *s, const struct rebuild_rows *rows) {
-    (void)rows;
-    return s->scene->classes.skin_auto;
-}
-static bool many_with_history(const struct simulation *s, const struct rebuild_rows *rows) {
-    (void)rows;
-    return !s->ranks.alone && s->search.history;
-}
-static bool many_that_keep(const struct simulation *s, const struct rebuild_rows *rows) {
-    return !s->ranks.alone && (rows == NULL || rows->keep);
-}
-static bool with_obstacles(const struct simulation *s, const struct rebuild_rows *rows) {
-    (void)rows;
-    return physics_meets(&s->physics);
-}
-static bool with_carried(const struct simulation *s, const struct rebuild_rows *rows) {
-    (void)rows;
-    return physics_next(&s->physics, NULL, offsetof(struct physics, rows)) != NULL;
-}
-static bool with_history(const struct simulation *s, const struct rebuild_rows *rows) {
-    (void)rows;
-    return s->search.history != NULL;
+/* What must hold for a pass to run; all that it names. */
+enum { SEVERAL_RANKS = 1, SKIN_CHOSEN = 2, HISTORY = 4, HISTORY_KEPT = 8, OBSTACLES = 16, CARRIED_ROWS = 32 };
+
+/* What holds; `keep`: the history stays in place in this rebuild. */
+static unsigned what_holds(const struct simulation *s, bool keep) {
+    return (s->ranks.alone ? 0 : SEVERAL_RANKS) | (s->scene->classes.skin_auto ? SKIN_CHOSEN : 0) |
+           (s->search.history ? HISTORY : 0) | (keep ? HISTORY_KEPT : 0) |
+           (physics_meets(&s->physics) ? OBSTACLES : 0) |
+           (physics_next(&s->physics, NULL, offsetof(struct physics, rows)) ? CARRIED_ROWS : 0);
 }
 
-/* A pass of the rebuild. `needed` with rows NULL tells whether the pass may ever run. */
+/* A pass of the rebuild. */
 struct rebuild_pass {
     const char *name, *why; /* why NULL: always */
     const char *timer;      /* its stage (stages.h) */
-    bool (*needed)(const struct simulation *s, const struct rebuild_rows *rows);
+    unsigned needs;
     void (*run)(struct simulation *s, struct rebuild_rows *rows);
 };
 
 /* The passes of a rebuild. The passes before `carry` are left out if histories come from a checkpoint. */
 static const struct rebuild_pass passes[] = {
-    {"skin", "a skin that the run chooses", "decide", skin_chosen, skin_pass},
-    {"balance", "several ranks", "migrate", many_ranks, balance},
-    {"stay", NULL, "migrate", NULL, stay_decide},
-    {"follow", "history, several ranks", "comm", many_with_history, follow},
-    {"detach", "history", "history", with_history, detach},
-    {"carry", "pairs that a physics remembers", "history", with_carried, carry},
-    {"wrap", NULL, "migrate", NULL, wrap},
-    {"sources", NULL, "migrate", NULL, come_and_go},
-    {"part", "several ranks", "migrate", many_ranks, rebuild_part},
-    {"loosen", "history, several ranks", "history", many_that_keep, rebuild_loosen},
-    {"migrate", "several ranks", "migrate", many_ranks, rebuild_migrate},
-    {"classify", NULL, "migrate", NULL, classify},
-    {"reorder", NULL, "reorder", NULL, reorder},
-    {"ghosts", NULL, "ghosts", NULL, ghosts_pass},
-    {"keep", "history", "history", with_history, keep},
-    {"index", NULL, "index", NULL, index_pass},
-    {"pairs", NULL, "pairs", NULL, pairs_pass},
-    {"used", "several ranks", "ghosts", many_ranks, used_pass},
-    {"walls", "walls", "wall", with_obstacles, obstacles_pass},
-    {"attach", NULL, "history", NULL, attach},
-    {"physics", NULL, "pairs", NULL, tell_physics},
+    {"skin", "a skin that the run chooses", "decide", SKIN_CHOSEN, skin_pass},
+    {"balance", "several ranks", "migrate", SEVERAL_RANKS, balance},
+    {"stay", NULL, "migrate", 0, stay_decide},
+    {"follow", "history, several ranks", "comm", HISTORY | SEVERAL_RANKS, follow},
+    {"detach", "history", "history", HISTORY, detach},
+    {"carry", "pairs that a physics remembers", "history", CARRIED_ROWS, carry},
+    {"wrap", NULL, "migrate", 0, wrap},
+    {"sources", NULL, "migrate", 0, come_and_go},
+    {"part", "several ranks", "migrate", SEVERAL_RANKS, rebuild_part},
+    {"loosen", "history, several ranks", "history", HISTORY_KEPT | SEVERAL_RANKS, rebuild_loosen},
+    {"migrate", "several ranks", "migrate", SEVERAL_RANKS, rebuild_migrate},
+    {"classify", NULL, "migrate", 0, classify},
+    {"reorder", NULL, "reorder", 0, reorder},
+    {"ghosts", NULL, "ghosts", 0, ghosts_pass},
+    {"keep", "history", "history", HISTORY, keep},
+    {"index", NULL, "index", 0, index_pass},
+    {"pairs", NULL, "pairs", 0, pairs_pass},
+    {"used", "several ranks", "ghosts", SEVERAL_RANKS, used_pass},
+    {"walls", "walls", "wall", OBSTACLES, obstacles_pass},
+    {"attach", NULL, "history", 0, attach},
+    {"physics", NULL, "pairs", 0, tell_physics},
 };
 enum { REBUILD_PASSES = sizeof passes / sizeof passes[0], REBUILD_CARRY = 5 };
 
 /* Returns true if another rebuild must follow. */
 static bool passes_run(struct simulation *s, struct rebuild_rows *rows, int first) {
     for (int p = first; p < REBUILD_PASSES; p++) {
-        if (passes[p].needed && !passes[p].needed(s, rows))
+        if (passes[p].needs & ~what_holds(s, rows->keep))
             continue;
         int stage = stages_find(&s->timers, passes[p].timer);
         timer_start(&s->timers, stage);
@@ -307,8 +292,9 @@ static bool passes_run(struct simulation *s, struct rebuild_rows *rows, int firs
 }
 
 void rebuild_print(const struct simulation *s, FILE *file) {
+    unsigned never = ~what_holds(s, true);
     for (int p = 0; p < REBUILD_PASSES; p++)
-        if (passes[p].needed == NULL || passes[p].needed(s, NULL))
+        if ((passes[p].needs & never) == 0)
             fprintf(file, "  %-10s %s%s\n", passes[p].name, passes[p].why ? "for " : "always",
                     passes[p].why ? passes[p].why : "");
 }

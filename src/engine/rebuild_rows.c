@@ -3,8 +3,8 @@
 #include "engine/rebuild_rows.h"
 #include "base/memory.h"
 
-void rebuild_detach_obstacles(struct simulation *s, struct rebuild_rows *rows) {
-    const struct physics_active *obstacles = s->physics.obstacles;
+void rebuild_detach_obstacles(const struct physics_set *set, struct rebuild_rows *rows) {
+    const struct physics_active *obstacles = set->obstacles;
     if (obstacles)
         obstacles->row->obstacles->detach(&obstacles->context, &rows->obstacles);
 }
@@ -12,11 +12,7 @@ void rebuild_detach_obstacles(struct simulation *s, struct rebuild_rows *rows) {
 void rebuild_detach(struct simulation *s, bool both_ends, struct rebuild_rows *rows) {
     if (s->search.history)
         history_detach(s->search.history, s->search.list, s->particles, both_ends, &rows->pairs);
-    rebuild_detach_obstacles(s, rows);
-}
-
-void rebuild_carry(struct simulation *s, struct rebuild_rows *rows) {
-    physics_rows(&s->physics, rows->carried);
+    rebuild_detach_obstacles(&s->physics, rows);
 }
 
 void rebuild_part(struct simulation *s, struct rebuild_rows *rows) {
@@ -37,14 +33,14 @@ void rebuild_loosen(struct simulation *s, struct rebuild_rows *rows) {
 
 /* After the migration: the rows of the arrivals join the loose rows, and the arrivals join the particles that
  * may be partners, which get the numbers of their places. */
-static void loose_settle(struct simulation *s, struct rebuild_rows *rows) {
-    size_t arrivals = s->particles->owned - rows->stay, n = 0;
+static void loose_settle(const struct particles *particles, struct rebuild_rows *rows) {
+    size_t arrivals = particles->owned - rows->stay, n = 0;
     history_loose_join(&rows->loose, &rows->leave);
     for (size_t k = 0; k < rows->near_count; k++)
         if (rows->place[rows->near[k]] != PARTICLE_LEFT)
             rows->near[n++] = rows->place[rows->near[k]];
     rows->near = memory_resize(rows->near, n + arrivals, sizeof *rows->near, "partners of rows");
-    for (size_t k = rows->stay; k < s->particles->owned; k++)
+    for (size_t k = rows->stay; k < particles->owned; k++)
         rows->near[n++] = (uint32_t)k;
     rows->near_count = n;
 }
@@ -84,7 +80,7 @@ void rebuild_migrate(struct simulation *s, struct rebuild_rows *rows) {
         *list[k] = (struct history_rows){set[k].start, set[k].row, set[k].count, list[k]->components};
     if (loose) {
         rows->leave = (struct history_loose){set[n].carrier, set[n].row, set[n].count};
-        loose_settle(s, rows);
+        loose_settle(s->particles, rows);
     }
 }
 

@@ -29,16 +29,13 @@ struct rebuild_rows {
 
 /* Makes the rows of contacts of pairs and with obstacles; of obstacles alone. */
 void rebuild_detach(struct simulation *simulation, bool both_ends, struct rebuild_rows *rows);
-void rebuild_detach_obstacles(struct simulation *simulation, struct rebuild_rows *rows);
+void rebuild_detach_obstacles(const struct physics_set *set, struct rebuild_rows *rows);
 
 /* The sets of rows that there may be: of pairs, of obstacles, of each other physics. */
 enum { REBUILD_SETS = 2 + PHYSICS_COUNT };
 
 /* Lists the sets that there are; returns their number. */
 int rebuild_rows_list(struct rebuild_rows *rows, struct history_rows *list[REBUILD_SETS]);
-
-/* Asks all physics for their rows. */
-void rebuild_carry(struct simulation *simulation, struct rebuild_rows *rows);
 
 /* Passes of the rebuild, on several ranks: every particle gets a place among those that stay; histories of two that
  * stay remain where they are, the others become loose rows; particles go to their owners, with their rows. The

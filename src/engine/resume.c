@@ -36,11 +36,12 @@ static void numbers_list(struct simulation *s, struct resume_numbers *own, struc
     restart_add(restart, RESTART_INTEGER, false, &s->sources.inserted, "inserted");
     restart_add(restart, RESTART_INTEGER, false, &s->sources.deleted, "deleted");
     restart_add(restart, RESTART_SUM, true, &s->sources.deleted_mass, "deleted mass");
-    crossings_restart(s, restart);
+    crossings_restart(s->crossings, &s->scene->output.observables, restart);
     physics_restart(&s->physics, restart);
     if (s->box.motion.moves)
         deform_restart(&s->box, &s->servo, restart);
-    skin_auto_restart(s, restart);
+    if (s->scene->classes.skin_auto)
+        skin_auto_restart(&s->search.choice, restart);
     restart_add(restart, RESTART_SUM, false, &own->load_fresh, "load: imbalance not measured");
     restart_add(restart, RESTART_SUM, false, &own->load_reached, "load: imbalance reached");
     for (int k = 0; k < s->scene->insertions; k++) {
@@ -94,16 +95,11 @@ static void rows_sort(struct history_rows *rows, size_t owned) {
               row_compare);
 }
 
-/* Doubles of a record of the memory of contacts. */
-static int components_of(const struct simulation *s) {
-    return s->search.history ? s->search.history->components : 0;
-}
-
 bool resume_write(struct simulation *s, const struct output_run *run, const char *suffix,
                   struct error *error) {
     struct rebuild_rows rows = {0};
     rebuild_detach(s, true, &rows); /* the reader may divide the particles differently */
-    rebuild_carry(s, &rows);
+    physics_rows(&s->physics, rows.carried);
     rows_sort(&rows.pairs, s->particles->owned);
     struct resume_numbers own;
     struct restart restart = {0};
@@ -111,7 +107,8 @@ bool resume_write(struct simulation *s, const struct output_run *run, const char
     for (int k = 0; k < s->scene->groups; k++)
         group[k] = s->scene->group[k].name;
     struct checkpoint checkpoint = {.restart = &restart,
-                                    .history_components = components_of(s),
+                                    .history_components =
+                                        s->search.history ? s->search.history->components : 0,
                                     .particles = s->particles,
                                     .box = &s->box,
                                     .tree = domain_tree(s->ranks.domain),
@@ -136,10 +133,10 @@ bool resume_write(struct simulation *s, const struct output_run *run, const char
 }
 
 /* Gives the physics their rows; a scene without the physics does without. */
-static bool carried_take(struct simulation *s, const char *path, struct checkpoint_loaded *loaded,
+static bool carried_take(const struct physics_set *set, const char *path, struct checkpoint_loaded *loaded,
                          struct error *error) {
     struct rebuild_rows rows = {0};
-    rebuild_carry(s, &rows);
+    physics_rows(set, rows.carried);
     for (int k = 0; k < PHYSICS_COUNT; k++) {
         if (rows.carried[k] == NULL || loaded->carried[k].start == NULL)
             continue;
@@ -169,7 +166,7 @@ static bool take(struct simulation *s, const char *path, struct checkpoint_loade
     s->lineage = loaded->lineage;
     loaded->lineage = (struct lineage){0};
     if (loaded->tree && domain_bisects(s->ranks.domain)) {
-        load_restore(s, loaded->tree, own.load_fresh != 0, own.load_reached);
+        load_restore(&s->ranks, loaded->tree, own.load_fresh != 0, own.load_reached);
         loaded->tree = NULL;
     }
     if (s->search.history) {
@@ -178,7 +175,7 @@ static bool take(struct simulation *s, const char *path, struct checkpoint_loade
     }
     PHYSICS_EACH (active, &s->physics, record)
         active->row->record->resume(&active->context, loaded, &rows->obstacles);
-    return carried_take(s, path, loaded, error);
+    return carried_take(&s->physics, path, loaded, error);
 }
 
 bool resume_read(struct simulation *s, const char *path, struct rebuild_rows *rows, struct error *error) {

@@ -15,10 +15,10 @@
 /* The density of a particle counts as that of the material if both differ only by rounding. */
 static const double same_density = 1e-9;
 
-static bool check_box(const struct simulation *s, const char *path, const struct checkpoint_loaded *loaded,
+static bool check_box(const struct box *now, const char *path, const struct checkpoint_loaded *loaded,
                       struct error *error) {
-    const struct box *now = &s->box, *then = &loaded->box;
-    if (!deform_check(&s->box, &loaded->restart, path, error))
+    const struct box *then = &loaded->box;
+    if (!deform_check(now, &loaded->restart, path, error))
         return false;
     if (now->dimension != then->dimension)
         return error_set(error, ERROR_USER,
@@ -37,10 +37,10 @@ static bool check_box(const struct simulation *s, const char *path, const struct
     return true;
 }
 
-static bool check_physics(const struct simulation *s, const char *path,
+static bool check_physics(const struct physics_set *set, const struct history *history, const char *path,
                           const struct checkpoint_loaded *loaded, struct error *error) {
-    const int components = s->search.history ? s->search.history->components : 0;
-    PHYSICS_EACH (active, &s->physics, record)
+    const int components = history ? history->components : 0;
+    PHYSICS_EACH (active, set, record)
         if (active->row->record->fits && !active->row->record->fits(&active->context, path, loaded, error))
             return false;
     return loaded->history_components == components ||
@@ -58,17 +58,17 @@ static int group_find(const struct scene *scene, const char *name) {
 }
 
 /* Checks that every material and group of a particle still exists. */
-static bool check_names(const struct simulation *s, const char *path, const struct checkpoint_loaded *loaded,
+static bool check_names(const struct scene *scene, const char *path, const struct checkpoint_loaded *loaded,
                         struct error *error) {
     for (int k = 0; k < loaded->materials; k++)
-        if (loaded->material[k].particles > 0 && scene_material(s->scene, loaded->material[k].name) < 0)
+        if (loaded->material[k].particles > 0 && scene_material(scene, loaded->material[k].name) < 0)
             return error_set(
                 error, ERROR_USER,
                 "%s: %lld particles are made of '%s', and the scene has no material of this name: "
                 "a resume may change what materials are, not drop or rename one",
                 path, (long long)loaded->material[k].particles, loaded->material[k].name);
     for (int k = 0; k < loaded->groups; k++)
-        if (loaded->group[k].particles > 0 && group_find(s->scene, loaded->group[k].name) < 0)
+        if (loaded->group[k].particles > 0 && group_find(scene, loaded->group[k].name) < 0)
             return error_set(error, ERROR_USER,
                              "%s: %lld particles are in group '%s', and the scene has no group of this name: "
                              "a resume may change the motion of groups, not drop or rename one",
@@ -77,16 +77,16 @@ static bool check_names(const struct simulation *s, const char *path, const stru
 }
 
 /* Lists the keys that differ; refuses changes of some keys. */
-static bool check_scene(struct simulation *s, const char *path, const struct checkpoint_loaded *loaded,
-                        struct error *error) {
+static bool check_scene(const struct scene *scene, struct scene_changes *changes, const char *path,
+                        const struct checkpoint_loaded *loaded, struct error *error) {
     static const struct {
         const char *key, *fallback;
     } fixed[] = {{"units", "si"}, {"box.density", "volume"}};
-    char *now = scene_echo(s->scene);
-    bool good = scene_compare(path, loaded->scene, now, &s->resumed.changes, error);
+    char *now = scene_echo(scene);
+    bool good = scene_compare(path, loaded->scene, now, changes, error);
     memory_free(now);
-    for (size_t k = 0; good && k < s->resumed.changes.count; k++) {
-        const struct scene_change *change = &s->resumed.changes.change[k];
+    for (size_t k = 0; good && k < changes->count; k++) {
+        const struct scene_change *change = &changes->change[k];
         for (size_t f = 0; f < sizeof fixed / sizeof fixed[0]; f++)
             if (strcmp(change->key, fixed[f].key) == 0)
                 return error_set(error, ERROR_USER,
@@ -99,8 +99,10 @@ static bool check_scene(struct simulation *s, const char *path, const struct che
 
 bool resume_check(struct simulation *s, const char *path, const struct checkpoint_loaded *loaded,
                   struct error *error) {
-    return check_box(s, path, loaded, error) && check_physics(s, path, loaded, error) &&
-           check_names(s, path, loaded, error) && check_scene(s, path, loaded, error);
+    return check_box(&s->box, path, loaded, error) &&
+           check_physics(&s->physics, s->search.history, path, loaded, error) &&
+           check_names(s->scene, path, loaded, error) &&
+           check_scene(s->scene, &s->resumed.changes, path, loaded, error);
 }
 
 /* The first material or group that has particles; a set without numbers has no other. */
@@ -119,11 +121,10 @@ static double density_of(const struct particles *p, const double *density, size_
 }
 
 /* Changes the mass of a particle of material `then`, whose density has changed to `now`. */
-static bool change_mass(struct simulation *s, size_t i, const struct checkpoint_kind *then, double now) {
-    struct particles *p = s->particles;
-    double *kept = groups_densities(p),
-           before = particles_density(&s->box, p->state[i].radius, then->density),
-           density = particles_density(&s->box, p->state[i].radius, now);
+static bool change_mass(struct particles *p, const struct box *box, size_t i,
+                        const struct checkpoint_kind *then, double now) {
+    double *kept = groups_densities(p), before = particles_density(box, p->state[i].radius, then->density),
+           density = particles_density(box, p->state[i].radius, now);
     if (now == then->density || !(fabs(density_of(p, kept, i) - before) <= same_density * before))
         return false;
     if (kept)
@@ -146,7 +147,8 @@ static void apply_materials(struct simulation *s, const struct checkpoint_loaded
         if (kind && kind[i] != KIND_GRAIN)
             continue;
         int then = written ? material[i] : first;
-        changed += change_mass(s, i, &loaded->material[then], s->scene->material[place[then]].density);
+        changed +=
+            change_mass(p, &s->box, i, &loaded->material[then], s->scene->material[place[then]].density);
         if (material)
             material[i] = (uint8_t)place[then];
     }
@@ -156,21 +158,21 @@ static void apply_materials(struct simulation *s, const struct checkpoint_loaded
 
 /* Changes the masses of particles in groups whose motion has become prescribed or free since the
  * checkpoint. */
-static void apply_groups(struct simulation *s, const struct checkpoint_loaded *loaded) {
-    struct particles *p = s->particles;
+static void apply_groups(struct particles *p, const struct scene *scene,
+                         const struct checkpoint_loaded *loaded) {
     uint8_t *group = groups_of(p);
     const double *density = groups_densities(p);
     bool written = group && loaded->field_read[fields_find(p, "group")];
     int first = only(loaded->group, loaded->groups), place[INTEGRATOR_GROUPS_MAX] = {0};
     for (int k = 0; k < loaded->groups; k++)
-        place[k] = group_find(s->scene, loaded->group[k].name);
+        place[k] = group_find(scene, loaded->group[k].name);
     const uint8_t *kind = kinds_of(p);
     for (size_t i = 0; group && i < p->owned; i++) {
         struct particle_state *state = &p->state[i];
         if (kind && kind[i] != KIND_GRAIN)
             continue;
         group[i] = (uint8_t)place[written ? group[i] : first];
-        if (s->scene->group[group[i]].motion != SCENE_FREE)
+        if (scene->group[group[i]].motion != SCENE_FREE)
             state->inverse_mass = 0;
         else if (state->inverse_mass == 0)
             state->inverse_mass = 1 / particles_sphere_mass(state->radius, density[i]);
@@ -179,7 +181,7 @@ static void apply_groups(struct simulation *s, const struct checkpoint_loaded *l
 
 void resume_apply(struct simulation *s, const struct checkpoint_loaded *loaded) {
     apply_materials(s, loaded);
-    apply_groups(s, loaded);
+    apply_groups(s->particles, s->scene, loaded);
 }
 
 /* True if a key came or went, with its default, only because another key has changed, with which it exists. */
@@ -190,12 +192,12 @@ static bool follows(const struct scene_change *change) {
            strcmp(change->then ? change->then : change->now, row->fallback) == 0;
 }
 
-void resume_print(const struct simulation *s, const char *path, FILE *out) {
+void resume_print(const struct resumed *resumed, uint64_t step, const char *path, FILE *out) {
     static const char sources[] = "particles.";
-    const struct scene_changes *changes = &s->resumed.changes;
+    const struct scene_changes *changes = &resumed->changes;
     if (changes->count == 0)
         return;
-    fprintf(out, "%s, step %llu: the scene has changed since:\n", path, (unsigned long long)s->clock.step);
+    fprintf(out, "%s, step %llu: the scene has changed since:\n", path, (unsigned long long)step);
     for (size_t k = 0; k < changes->count; k++) {
         const struct scene_change *change = &changes->change[k];
         if (follows(change))
@@ -205,7 +207,7 @@ void resume_print(const struct simulation *s, const char *path, FILE *out) {
                 change->now ? change->now : "(not set)",
                 idle ? " (no effect: particles come from the checkpoint)" : "");
     }
-    if (s->resumed.masses > 0)
+    if (resumed->masses > 0)
         fprintf(out, "  masses of %llu particles follow from the new densities\n",
-                (unsigned long long)s->resumed.masses);
+                (unsigned long long)resumed->masses);
 }

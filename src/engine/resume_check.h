@@ -19,6 +19,6 @@ bool resume_check(struct simulation *simulation, const char *path, const struct 
 void resume_apply(struct simulation *simulation, const struct checkpoint_loaded *loaded);
 
 /* Prints the changes, a line a key. One rank. */
-void resume_print(const struct simulation *simulation, const char *path, FILE *out);
+void resume_print(const struct resumed *resumed, uint64_t step, const char *path, FILE *out);
 
 #endif

@@ -65,15 +65,15 @@ struct run {
 /* The largest number of steps of a run: a run of infinite or huge duration ends here, or by a signal. */
 static const uint64_t steps_most = (uint64_t)1 << 62;
 
-uint64_t run_last_step(const struct simulation *s) {
-    const struct scene *scene = s->scene;
+uint64_t run_last_step(const struct scene *scene, const struct stage_place *stage,
+                       const struct clock *clock) {
     if (scene->stages > 0)
-        return run_stages_last(s, steps_most);
+        return run_stages_last(scene, stage, clock, steps_most);
     if (scene->duration > 0) {
-        double left = ceil((scene->duration - s->clock.time) / s->clock.dt - 1e-6);
-        if (left >= (double)(steps_most - s->clock.step))
+        double left = ceil((scene->duration - clock->time) / clock->dt - 1e-6);
+        if (left >= (double)(steps_most - clock->step))
             return steps_most;
-        return left > 0 ? s->clock.step + (uint64_t)left : s->clock.step;
+        return left > 0 ? clock->step + (uint64_t)left : clock->step;
     }
     return scene->step.count > 0 ? (uint64_t)scene->step.count : 0;
 }
@@ -103,10 +103,10 @@ static bool checkpoint_regular(struct run *run, struct error *error) {
         return true;
     run->checkpoint_last = timer_now();
     if (run->chain && run->s->clock.step == run->last) {
-        run_stages_end(run->s);
+        run_stages_end(&run->s->stage, &run->s->clock);
         run->chain->over = true;
     }
-    return (run->outputs == NULL || outputs_flush(run->outputs, run->s, error)) &&
+    return (run->outputs == NULL || outputs_flush(run->outputs, &run->s->physics, run->s->comm, error)) &&
            resume_write(run->s, &run->output, "", error);
 }
 
@@ -125,7 +125,7 @@ static void crowd_tell(struct run *run) {
 /* Looks at the conditions of the stage; the step after the present one may become the last. */
 static bool stage_look(struct run *run, struct error *error) {
     run_stages_look(&run->stages, run->s, error);
-    run->last = run_last_step(run->s);
+    run->last = run_last_step(run->s->scene, &run->s->stage, &run->s->clock);
     return error->kind == ERROR_NONE;
 }
 
@@ -135,21 +135,21 @@ static bool step_once(struct run *run, struct error *error) {
     bool checkpoint = checkpoint_step(run, s->clock.step + 1);
     const struct run_watch *watch = run->options->watch;
     bool watched = watch && watch->due(watch->context, s->clock.step + 1);
-    bool looked = run_stages_due(&run->stages, s, s->clock.step + 1);
+    bool looked = run_stages_due(&run->stages, &s->stage, s->clock.step + 1);
     bool seen = watched || looked || checkpoint || s->clock.step + 1 >= run->last ||
-                (run->outputs && outputs_due(run->outputs, s, s->clock.step + 1));
+                (run->outputs && outputs_due(run->outputs, &s->clock, s->clock.step + 1));
     signals_ask(run);
     checked_step(s,
                  (watched && !watch->without_sums) || (looked && run_stages_need_sums(&run->stages)) ||
-                     (run->outputs && outputs_want_sums(run->outputs, s, s->clock.step + 1)),
+                     (run->outputs && outputs_want_sums(run->outputs, &s->clock, s->clock.step + 1)),
                  checkpoint, seen);
     if (s->clock.dt != dt) /* a shortened time step needs more steps to the end */
-        run->last = run_last_step(s);
+        run->last = run_last_step(s->scene, &s->stage, &s->clock);
     crowd_tell(run);
     run->record.particle_steps += (double)s->total;
     int stage = stages_find(&s->timers, "output");
     timer_start(&s->timers, stage);
-    if (watched || looked || (run->outputs && outputs_due(run->outputs, s, s->clock.step)))
+    if (watched || looked || (run->outputs && outputs_due(run->outputs, &s->clock, s->clock.step)))
         physics_look(&s->physics);
     bool good = run->outputs == NULL || outputs_write(run->outputs, s, error);
     if (good && watched)
@@ -244,7 +244,7 @@ static bool watch_begin(const struct run *run, struct error *error) {
 static void run_loop(struct run *run, struct error *error) {
     struct simulation *s = run->s;
     struct progress_options progress = s->scene->output.progress;
-    run->last = run_last_step(s);
+    run->last = run_last_step(s->scene, &s->stage, &s->clock);
     s->ranks.load.seconds = 0;
     int stage = stages_find(&s->timers, "other");
     run_report_begin(s, &run->record);
@@ -270,7 +270,7 @@ static void notes_tell(const struct run *run, bool seen) {
         return;
     struct notes *notes = memory_allocate_zero(1, sizeof *notes, "notes");
     if (seen)
-        notes_seen(run->s, run->record.first, notes);
+        notes_seen(&run->s->physics, run->record.first, notes);
     else
         notes_take(run->s, notes);
     if (run->s->comm->rank == 0)
@@ -280,7 +280,7 @@ static void notes_tell(const struct run *run, bool seen) {
 
 /* True, with a message, if a resumed run is already at its end; then no file is written. */
 static bool over_already(const struct simulation *s, const char *resume) {
-    if (resume == NULL || run_last_step(s) > s->clock.step)
+    if (resume == NULL || run_last_step(s->scene, &s->stage, &s->clock) > s->clock.step)
         return false;
     if (s->comm->rank == 0)
         fprintf(stderr,
@@ -295,7 +295,7 @@ static void tables_end(const struct run *run, struct error *error) {
     struct error own = {0};
     if (run->outputs == NULL || error->kind == ERROR_SYSTEM)
         return;
-    outputs_tables(run->s, &own);
+    outputs_tables(&run->s->physics, run->s->comm, &own);
     if (error->kind == ERROR_NONE)
         *error = own;
 }
@@ -328,7 +328,7 @@ static void start_tell(const struct run *run) {
         resume = label;
     }
     if (resume)
-        resume_print(s, resume, stderr);
+        resume_print(&s->resumed, s->clock.step, resume, stderr);
 }
 
 int run_one(const struct comm *comm, const struct scene *scene, const struct run_options *options,
@@ -354,7 +354,7 @@ int run_one(const struct comm *comm, const struct scene *scene, const struct run
         run_loop(&run, error);
         tables_end(&run, error);
         if (chain)
-            run_stages_add(&run.stages, run.s, chain, timer_now() - run.record.began);
+            run_stages_add(&run.stages, &run.s->clock, chain, timer_now() - run.record.began);
         report_end(&run, &own, error);
         if (report)
             *report = own;

@@ -41,7 +41,7 @@ int run_one(const struct comm *comm, const struct scene *scene, const struct run
 
 /* run_last_step: the number of the last step of a run. run_signals_catch: installs the signal handlers of a
  * run. run_signalled: the signal that this rank received, or 0. */
-uint64_t run_last_step(const struct simulation *simulation);
+uint64_t run_last_step(const struct scene *scene, const struct stage_place *stage, const struct clock *clock);
 void run_signals_catch(void);
 int run_signalled(void);
 

@@ -21,7 +21,7 @@ TEXT(choice_index, of->index.choice)
 COUNT(choice_count, of->index.choices)
 TEXT(choice_why, of->index.why)
 REAL(choice_predicted, most(of, of->index.predicted))
-REAL(choice_measured, most(of, tune_measured(of->s)))
+REAL(choice_measured, most(of, tune_measured(&of->s->search)))
 
 const struct report_row run_report_choice_rows[] = {
     {.name = "index", .unit = "", .text = choice_index,

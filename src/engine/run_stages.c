@@ -10,20 +10,20 @@
 #include <string.h>
 
 /* One condition as an observable; needs one column. */
-static bool condition_open(struct run_stages *stages, const struct simulation *s,
-                           const struct output_run *run, int k, struct error *error) {
-    struct observables_options options = s->scene->output.observables;
-    struct output_view view = simulation_view(s);
+static bool condition_open(struct run_stages *stages, const struct scene *scene,
+                           const struct output_view *view, const struct output_run *run, int k,
+                           struct error *error) {
+    struct observables_options options = scene->output.observables;
     char key[64];
     struct error plain = {0};
     options.count = 1;
     options.request[0] = stages->stage->condition[k].request;
-    snprintf(key, sizeof key, "stages[%d].until[%d]", (int)s->stage.number, k);
-    if (!observables_create(&stages->condition[k], &options, &view, run, &plain))
-        return scene_fail(s->scene, error, key, "stage '%s': %s", stages->stage->name, plain.text);
+    snprintf(key, sizeof key, "stages[%d].until[%d]", (int)(stages->stage - scene->stage), k);
+    if (!observables_create(&stages->condition[k], &options, view, run, &plain))
+        return scene_fail(scene, error, key, "stage '%s': %s", stages->stage->name, plain.text);
     stages->conditions = k + 1;
     return observables_columns(stages->condition[k]) == 1 ||
-           scene_fail(s->scene, error, key, "stage '%s': the condition has %d columns; needed: one",
+           scene_fail(scene, error, key, "stage '%s': the condition has %d columns; needed: one",
                       stages->stage->name, observables_columns(stages->condition[k]));
 }
 
@@ -33,8 +33,9 @@ bool run_stages_open(struct run_stages *stages, struct simulation *s, const stru
     if (s->scene->stages == 0)
         return true;
     stages->stage = &s->scene->stage[s->stage.number];
+    const struct output_view view = simulation_view(s);
     for (int k = 0; k < stages->stage->conditions; k++) {
-        if (!condition_open(stages, s, run, k, error))
+        if (!condition_open(stages, s->scene, &view, run, k, error))
             return false;
         s->sums_each_step = s->sums_each_step || observables_need_work(stages->condition[k]);
     }
@@ -47,8 +48,8 @@ void run_stages_close(struct run_stages *stages) {
     stages->conditions = 0;
 }
 
-bool run_stages_due(const struct run_stages *stages, const struct simulation *s, uint64_t step) {
-    return stages->conditions > 0 && s->stage.last == 0 && step % (uint64_t)stages->stage->every == 0;
+bool run_stages_due(const struct run_stages *stages, const struct stage_place *place, uint64_t step) {
+    return stages->conditions > 0 && place->last == 0 && step % (uint64_t)stages->stage->every == 0;
 }
 
 bool run_stages_need_sums(const struct run_stages *stages) {
@@ -77,20 +78,21 @@ void run_stages_look(struct run_stages *stages, struct simulation *s, struct err
     }
 }
 
-uint64_t run_stages_last(const struct simulation *s, uint64_t most) {
-    const struct scene_stage *stage = &s->scene->stage[s->stage.number];
-    double left = ceil((s->stage.began + stage->duration - s->clock.time) / s->clock.dt - 1e-6);
+uint64_t run_stages_last(const struct scene *scene, const struct stage_place *place,
+                         const struct clock *clock, uint64_t most) {
+    const struct scene_stage *stage = &scene->stage[place->number];
+    double left = ceil((place->began + stage->duration - clock->time) / clock->dt - 1e-6);
     uint64_t last = most;
-    if (left < (double)(most - s->clock.step))
-        last = left > 0 ? s->clock.step + (uint64_t)left : s->clock.step;
-    return s->stage.last > 0 && s->stage.last < last ? s->stage.last : last;
+    if (left < (double)(most - clock->step))
+        last = left > 0 ? clock->step + (uint64_t)left : clock->step;
+    return place->last > 0 && place->last < last ? place->last : last;
 }
 
-void run_stages_end(struct simulation *s) {
-    s->stage = (struct stage_place){.number = s->stage.number + 1, .began = s->clock.time};
+void run_stages_end(struct stage_place *place, const struct clock *clock) {
+    *place = (struct stage_place){.number = place->number + 1, .began = clock->time};
 }
 
-void run_stages_add(const struct run_stages *stages, const struct simulation *s, struct run_chain *chain,
+void run_stages_add(const struct run_stages *stages, const struct clock *clock, struct run_chain *chain,
                     double seconds) {
     const char *end = "broken off";
     if (chain->over && stages->met)
@@ -99,9 +101,9 @@ void run_stages_add(const struct run_stages *stages, const struct simulation *s,
         end = stages->conditions > 0 ? "duration, before the conditions held" : "duration";
     struct run_stage *row = &chain->row[chain->done++];
     *row = (struct run_stage){
-        .first = stages->first, .last = s->clock.step, .time = s->clock.time, .seconds = seconds, .end = end};
+        .first = stages->first, .last = clock->step, .time = clock->time, .seconds = seconds, .end = end};
     snprintf(row->name, sizeof row->name, "%s", stages->stage->name);
-    chain->step = s->clock.step;
+    chain->step = clock->step;
 }
 
 bool run_stages_first(const struct comm *comm, const struct scene *scene, const char *resume, int *first,

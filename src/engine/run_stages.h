@@ -43,7 +43,7 @@ bool run_stages_open(struct run_stages *stages, struct simulation *simulation, c
 void run_stages_close(struct run_stages *stages);
 
 /* True if the conditions are looked at after step number `step`. */
-bool run_stages_due(const struct run_stages *stages, const struct simulation *simulation, uint64_t step);
+bool run_stages_due(const struct run_stages *stages, const struct stage_place *place, uint64_t step);
 
 /* True if a condition needs the sums of the forces in the step that is looked at. */
 bool run_stages_need_sums(const struct run_stages *stages);
@@ -52,14 +52,15 @@ bool run_stages_need_sums(const struct run_stages *stages);
 void run_stages_look(struct run_stages *stages, struct simulation *simulation, struct error *error);
 
 /* The number of the last step by the duration of the present stage, or by its conditions; `most` at most. */
-uint64_t run_stages_last(const struct simulation *simulation, uint64_t most);
+uint64_t run_stages_last(const struct scene *scene, const struct stage_place *place,
+                         const struct clock *clock, uint64_t most);
 
 /* Ends the present stage before its last checkpoint: the state then belongs to the beginning of the next stage. */
-void run_stages_end(struct simulation *simulation);
+void run_stages_end(struct stage_place *place, const struct clock *clock);
 
 /* Adds the stage that has ended, or was broken off, to those that have been run; it took `seconds`. */
-void run_stages_add(const struct run_stages *stages, const struct simulation *simulation,
-                    struct run_chain *chain, double seconds);
+void run_stages_add(const struct run_stages *stages, const struct clock *clock, struct run_chain *chain,
+                    double seconds);
 
 /* Finds the stage with which a run begins: that of the checkpoint `resume`, or 0 (NULL). The number of stages: all are
  * over. Fails (user) if the scene has fewer stages. Collective. */

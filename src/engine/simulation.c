@@ -90,7 +90,8 @@ static bool particles_suit(struct simulation *s, struct error *error) {
         return error_set(error, ERROR_USER,
                          "%llu particles on %d ranks: allowed are up to %llu a rank, copies included",
                          (unsigned long long)s->total, s->comm->size, 1ull << PARTICLE_INDEX_BITS);
-    if (!classify_choose(s, error) || !simulation_parts_box(s, error) || !timing_choose(s, error))
+    if (!classify_choose(s, error) || !simulation_parts_box(s->scene, &s->box, &s->classes, error) ||
+        !timing_choose(s, error))
         return false;
     particles_classify(s->particles, &s->classes);
     interactions_divide(&s->search.interactions, &s->classes,
@@ -114,7 +115,7 @@ static bool simulation_fill(struct simulation *s, const char *resume, struct err
     if (!comm_agree(s->comm, error)) /* ranks may have different CPUs */
         return false;
     struct rebuild_rows rows = {0};
-    crossings_prepare(s);
+    crossings_prepare(s->crossings, s->scene->output.observables.planes);
     bool good = resume ? resume_read(s, resume, &rows, error) : particles_make(s, error);
     if (!good || !particles_suit(s, error)) {
         rebuild_rows_free(&rows);

@@ -13,13 +13,13 @@
 #include <stdlib.h>
 #include <string.h>
 
-static bool domain_possible(const struct simulation *s, struct error *error) {
+static bool domain_possible(const struct scene *scene, struct error *error) {
     char place[SCENE_PATH_MAX];
     struct error plain = {0};
     if (balance_available(&plain))
         return true;
     return error_set(error, ERROR_USER, "%s: domain.name: %s",
-                     scene_place(s->scene, "domain", place, sizeof place), plain.text);
+                     scene_place(scene, "domain", place, sizeof place), plain.text);
 }
 
 static bool set_threads(struct simulation *s, struct error *error) {
@@ -56,7 +56,7 @@ bool simulation_parts_prepare(struct simulation *s, struct error *error) {
     s->particles = particles_create(0);
     if (!set_threads(s, error) || !physics_start(s, error))
         return false;
-    if (scene->domain.kind == DOMAIN_BISECTION && !domain_possible(s, error))
+    if (scene->domain.kind == DOMAIN_BISECTION && !domain_possible(scene, error))
         return false;
     s->ranks.domain = domain_create(s->comm, &s->box, &scene->domain, error);
     if (s->ranks.domain == NULL)
@@ -88,8 +88,8 @@ void simulation_parts_placed(void *context, const char *what, double part) {
 
 /* Checks that no cut-off reaches around a periodic box: to the particle itself, or twice to another
  * particle. */
-static bool box_holds(const struct simulation *s, double radius, double other, double margin,
-                      struct error *error) {
+static bool box_holds(const struct scene *scene, const struct box *box, double radius, double other,
+                      double margin, struct error *error) {
     char place[SCENE_PATH_MAX], whom[96];
     double reach = radius + other + margin;
     if (other == radius)
@@ -97,36 +97,37 @@ static bool box_holds(const struct simulation *s, double radius, double other, d
     else
         snprintf(whom, sizeof whom, "particles of radii %.6g and %.6g: needed is more than both radii",
                  radius, other);
-    const struct box_motion *motion = &s->box.motion;
-    if (motion->shears && 2 * reach >= s->box.edge[motion->flow])
+    const struct box_motion *motion = &box->motion;
+    if (motion->shears && 2 * reach >= box->edge[motion->flow])
         return error_set(
             error, ERROR_USER,
             "%s: the %c edge %.6g along the flow of box.shear is too short for %s + range + skin, "
             "%.6g: needed is more than twice this",
-            scene_place(s->scene, "box", place, sizeof place), 'x' + motion->flow, s->box.edge[motion->flow],
-            whom, reach);
-    for (int d = 0; d < s->box.dimension; d++)
-        if (s->box.periodic[d] && reach >= s->box.edge[d])
+            scene_place(scene, "box", place, sizeof place), 'x' + motion->flow, box->edge[motion->flow], whom,
+            reach);
+    for (int d = 0; d < box->dimension; d++)
+        if (box->periodic[d] && reach >= box->edge[d])
             return error_set(
                 error, ERROR_USER, "%s: the periodic %c edge %.6g is too short for %s + range + skin, %.6g",
-                scene_place(s->scene, "box", place, sizeof place), 'x' + d, s->box.edge[d], whom, reach);
+                scene_place(scene, "box", place, sizeof place), 'x' + d, box->edge[d], whom, reach);
     return true;
 }
 
-bool simulation_parts_box(const struct simulation *s, struct error *error) {
-    const struct size_classes *classes = &s->classes;
+bool simulation_parts_box(const struct scene *scene, const struct box *box,
+                          const struct size_classes *classes, struct error *error) {
     bool good = true;
     double margin = INDEX_NOT_WANTED;
     for (int c = 0; c < classes->count && good; c++) {
         margin = fmax(margin, classes->margin[c][c]);
         for (int b = c; b >= 0 && good; b--)
             good = !classes_meet(classes, c, b) ||
-                   box_holds(s, classes->radius_max[c], classes->radius_max[b], classes->margin[c][b], error);
+                   box_holds(scene, box, classes->radius_max[c], classes->radius_max[b],
+                             classes->margin[c][b], error);
     }
-    for (int k = 0; k < s->scene->insertions && good; k++) {
+    for (int k = 0; k < scene->insertions && good; k++) {
         double smallest, largest;
-        sizes_bounds(&s->scene->insertion[k].sizes, &smallest, &largest);
-        good = box_holds(s, largest, largest, margin, error);
+        sizes_bounds(&scene->insertion[k].sizes, &smallest, &largest);
+        good = box_holds(scene, box, largest, largest, margin, error);
     }
     return good;
 }

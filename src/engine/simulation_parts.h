@@ -17,7 +17,8 @@ void simulation_parts_placed(void *context, const char *what, double part);
 
 /* Refuses periodic edges that are too short for the present particles, or for particles of insertions: a cut-off
  * may reach neither to the particle itself, nor twice to another one. */
-bool simulation_parts_box(const struct simulation *simulation, struct error *error);
+bool simulation_parts_box(const struct scene *scene, const struct box *box,
+                          const struct size_classes *classes, struct error *error);
 
 /* Refuses an index that cannot serve the present particles of this rank. */
 bool simulation_parts_index(struct simulation *simulation, struct error *error);

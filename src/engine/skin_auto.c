@@ -13,19 +13,19 @@ enum { LOOK_FIRST = 64 };
  * rebuilds for the sake of a shorter skin. */
 static const double look_worth = 1;
 
-struct classes_options skin_auto_options(const struct simulation *s) {
-    struct classes_options options = s->scene->classes;
-    double factor = skin_choice_factor(s->search.choice.octaves);
+struct classes_options skin_auto_options(const struct scene *scene, const struct skin_choice *choice) {
+    struct classes_options options = scene->classes;
+    double factor = skin_choice_factor(choice->octaves);
     options.skin *= factor;
     options.skin_relative *= factor;
     return options;
 }
 
 /* The largest distance at which particles meet, with skins of `octaves`. Particles to be inserted count. */
-static double farthest(const struct simulation *s, int64_t octaves) {
-    const struct size_classes *classes = &s->classes;
+static double farthest(const struct size_classes *classes, const struct scene *scene, int64_t before,
+                       int64_t octaves) {
     double reach = 0, most = 0;
-    double scale = skin_choice_factor(octaves) / skin_choice_factor(s->search.choice.octaves);
+    double scale = skin_choice_factor(octaves) / skin_choice_factor(before);
     for (int a = 0; a < classes->count; a++)
         for (int b = 0; b <= a; b++) {
             double margin = classes->margin[a][b] + (scale - 1) * classes->skin[a][b];
@@ -34,9 +34,9 @@ static double farthest(const struct simulation *s, int64_t octaves) {
             reach = fmax(reach, classes->radius_max[a] + classes->radius_max[b] + margin);
             most = fmax(most, margin);
         }
-    for (int k = 0; k < s->scene->insertions; k++) {
+    for (int k = 0; k < scene->insertions; k++) {
         double smallest, largest;
-        sizes_bounds(&s->scene->insertion[k].sizes, &smallest, &largest);
+        sizes_bounds(&scene->insertion[k].sizes, &smallest, &largest);
         reach = fmax(reach, 2 * largest + most);
     }
     return reach;
@@ -50,7 +50,7 @@ static int64_t octaves_most(const struct simulation *s) {
     if (s->scene->ghosts.sync == GHOSTS_NEIGHBOURS && (!s->ranks.alone || s->scene->reproducible))
         return 0;
     for (int64_t k = SKIN_MOST; k > SKIN_LEAST; k--) {
-        double reach = farthest(s, k);
+        double reach = farthest(&s->classes, s->scene, now, k);
         bool fits = true;
         for (int d = 0; d < 3; d++)
             fits = fits && !(s->box.periodic[d] && s->box.edge[d] <= 2 * reach);
@@ -80,7 +80,7 @@ static struct skin_counts counts_take(struct simulation *s, const struct skin_ch
 /* The choice with what was used up since the last rebuild. */
 static struct skin_choice choice_with(struct simulation *s) {
     struct skin_choice choice = s->search.choice;
-    decide_displacements(s);
+    decide_displacements(s->search.skin, s->particles, s->classes.count, s->comm);
     double used = skin_used(s->search.skin, &s->classes) * skin_choice_factor(choice.octaves);
     skin_choice_add(&choice, used, s->search.skin->moves);
     return choice;
@@ -97,7 +97,7 @@ void skin_auto_choose(struct simulation *s) {
     s->search.choice = choice;
     if (choice.octaves == before)
         return;
-    struct classes_options options = skin_auto_options(s);
+    struct classes_options options = skin_auto_options(s->scene, &s->search.choice);
     struct classes_range range = interactions_range(&s->search.interactions);
     classes_set_margins(&s->classes, &options, &range);
     interactions_set_margins(&s->search.interactions, &s->classes);
@@ -114,10 +114,7 @@ bool skin_auto_due(struct simulation *s) {
     return saved * moves > look_worth * (SKIN_PARTICLE * counts.particles + SKIN_PAIR * counts.pairs);
 }
 
-void skin_auto_restart(struct simulation *s, struct restart *restart) {
-    struct skin_choice *choice = &s->search.choice;
-    if (!s->scene->classes.skin_auto)
-        return;
+void skin_auto_restart(struct skin_choice *choice, struct restart *restart) {
     restart_add(restart, RESTART_INTEGER, true, &choice->octaves, "skin: octaves / 4");
     restart_add(restart, RESTART_INTEGER, true, &choice->changes, "skin: changes");
     restart_add(restart, RESTART_REAL, true, &choice->used, "skin: used");

@@ -9,7 +9,7 @@
 #include "data/formats/restart.h"
 
 /* The options of the size classes, with the skin that is chosen at present. */
-struct classes_options skin_auto_options(const struct simulation *simulation);
+struct classes_options skin_auto_options(const struct scene *scene, const struct skin_choice *choice);
 
 /* At the beginning of a rebuild, while the last pair list is there: chooses the skin for the lists to come.
  * Collective. */
@@ -23,6 +23,6 @@ bool skin_auto_due(struct simulation *simulation);
 double skin_auto_most(const struct simulation *simulation);
 
 /* Lists the numbers that a resume needs. */
-void skin_auto_restart(struct simulation *simulation, struct restart *restart);
+void skin_auto_restart(struct skin_choice *choice, struct restart *restart);
 
 #endif

@@ -62,15 +62,14 @@ static uint64_t insertion_missing(const struct sources *sources, const struct cl
 
 uint64_t sources_asked(const struct sources *sources, const struct clock *clock, int k) {
     uint64_t looked = clock->step - clock->step % SOURCES_EVERY;
-    double since = (double)looked - (double)clock->step_base;
-    return insertion_due(&sources->insertion[k], clock->time_base + since * clock->dt);
+    return insertion_due(&sources->insertion[k], clock_time(clock, looked));
 }
 
-static bool insertions_due(const struct simulation *s) {
-    if (s->clock.step % SOURCES_EVERY != 0)
+static bool insertions_due(const struct sources *sources, int count, const struct clock *clock) {
+    if (clock->step % SOURCES_EVERY != 0)
         return false;
-    for (int k = 0; k < s->scene->insertions; k++)
-        if (insertion_missing(&s->sources, &s->clock, k) > 0)
+    for (int k = 0; k < count; k++)
+        if (insertion_missing(sources, clock, k) > 0)
             return true;
     return false;
 }
@@ -82,8 +81,8 @@ static bool deletions_due(const struct scene *scene, const struct clock *clock) 
     return false;
 }
 
-bool sources_due(const struct simulation *s) {
-    return insertions_due(s) || deletions_due(s->scene, &s->clock);
+bool sources_due(const struct sources *sources, const struct scene *scene, const struct clock *clock) {
+    return insertions_due(sources, scene->insertions, clock) || deletions_due(scene, clock);
 }
 
 void sources_give(struct given *given, const struct insertion_candidate *candidate) {
@@ -302,7 +301,7 @@ static void insertion_run(struct simulation *s, int number) {
 void sources_run(struct simulation *s, struct rebuild_rows *rows) {
     struct given *given = &s->sources.given;
     bool deletes = sides_matter(&s->box) || deletions_due(s->scene, &s->clock) || given->taken > 0,
-         inserts = insertions_due(s);
+         inserts = insertions_due(&s->sources, s->scene->insertions, &s->clock);
     if ((!deletes && !inserts && given->added == 0) || s->sources.last_step == s->clock.step)
         return;
     s->sources.last_step = s->clock.step;

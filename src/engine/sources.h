@@ -10,7 +10,7 @@
 void sources_run(struct simulation *simulation, struct rebuild_rows *rows);
 
 /* True if this step must rebuild because a source or a deletion is due. */
-bool sources_due(const struct simulation *simulation);
+bool sources_due(const struct sources *sources, const struct scene *scene, const struct clock *clock);
 
 /* Prepares the insertion regions; refuses a region that cannot hold its largest particle. */
 bool sources_prepare(struct simulation *simulation, struct error *error);

@@ -10,8 +10,8 @@
 static bool may_stay(struct simulation *s) {
     struct index_view view;
     bool simple = s->physics.count == 1 && !s->caller.force && !s->scene->reproducible &&
-                  !s->sources.given.added && !s->sources.given.taken && !sources_due(s) &&
-                  !box_may_lose(&s->box);
+                  !s->sources.given.added && !s->sources.given.taken &&
+                  !sources_due(&s->sources, s->scene, &s->clock) && !box_may_lose(&s->box);
     if (s->search.sorts || s->classes_stale || s->box.motion.moves ||
         s->search.revision != s->particles->revision || !(s->ranks.alone || simple))
         return false;
@@ -20,7 +20,8 @@ static bool may_stay(struct simulation *s) {
 }
 
 void stay_decide(struct simulation *s, struct rebuild_rows *rows) {
-    tune_select(s);
+    if (s->scene->index.measure)
+        tune_select(&s->search);
     rows->stays = may_stay(s);
     if (!s->ranks.alone)
         rows->stays = ghosts_let_stay(s->ranks.ghosts, s->particles, &s->classes, rows->stays);

@@ -38,8 +38,8 @@ static void exchange_run(struct simulation *s) {
         rebuild_run(s);
         s->particles->force_clear = false;
     } else if (!s->ranks.alone) {
-        values_send(s);
-        values_receive(s);
+        values_send(s->ranks.ghosts, s->particles);
+        values_receive(s->ranks.ghosts, s->particles);
     }
 }
 
@@ -48,41 +48,23 @@ static void reverse_run(struct simulation *s) {
     ghosts_step_reverse(s->ranks.ghosts, s->particles, &fields);
 }
 
-static bool needs_box(const struct simulation *s) {
-    return s->box.motion.moves;
-}
-
-static bool needs_stress(const struct simulation *s) {
-    return s->servo.on;
-}
-
-static bool needs_reverse(const struct simulation *s) {
-    return !s->ranks.alone && s->scene->ghosts.newton;
-}
-
-static const struct engine_pass before_first[] = {{"flow", "a box that moves", "advance", needs_box,
-                                                   deform_flow},
-                                                  {0}},
-                                before_moved[] = {
-                                    {"box", "a box that moves", "advance", needs_box, deform_advance}, {0}};
+static const struct engine_pass
+    before_first[] = {{"flow", "a box that moves", "advance", NEED_BOX_MOTION, deform_flow}, {0}},
+    before_moved[] = {{"box", "a box that moves", "advance", NEED_BOX_MOTION, deform_advance}, {0}};
 
 static const struct engine_pass renew[] = {
-    {"decide", NULL, "decide", NULL, decide_run}, {"exchange", NULL, "comm", NULL, exchange_run}, {0}};
+    {"decide", NULL, "decide", 0, decide_run}, {"exchange", NULL, "comm", 0, exchange_run}, {0}};
 
 static void caller_run(struct simulation *s) {
     s->caller.force(s->caller.context, s);
 }
 
-static bool has_caller(const struct simulation *s) {
-    return s->caller.force != NULL;
-}
-
 static const struct engine_pass before_close[] = {
-    {"caller", "a force of the calling program", "contact", has_caller, caller_run}, {0}};
+    {"caller", "a force of the calling program", "contact", NEED_CALLER, caller_run}, {0}};
 
 static const struct engine_pass after_close[] = {
-    {"stress", "a box that follows its stress", "comm", needs_stress, deform_control},
-    {"reverse", "newton on, several ranks", "comm", needs_reverse, reverse_run},
+    {"stress", "a box that follows its stress", "comm", NEED_STRESS, deform_control},
+    {"reverse", "newton on, several ranks", "comm", NEED_RANKS | NEED_REVERSE, reverse_run},
     {0}};
 
 void step_plan(struct simulation *s) {
@@ -96,7 +78,10 @@ void step_plan(struct simulation *s) {
     for (int k = 0; k < s->physics.count; k++)
         physics[k] = s->physics.active[k].row;
     stages_register(&s->timers, physics, s->physics.count);
-    plan_make(&s->plan, &s->physics, &own, &s->timers, s);
+    unsigned holds = (s->ranks.alone ? 0 : NEED_RANKS) | (s->scene->ghosts.newton ? NEED_REVERSE : 0) |
+                     (s->box.motion.moves ? NEED_BOX_MOTION : 0) | (s->servo.on ? NEED_STRESS : 0) |
+                     (s->caller.force ? NEED_CALLER : 0);
+    plan_make(&s->plan, &s->physics, &own, &s->timers, holds);
 }
 
 void step_plan_print(const struct simulation *s, FILE *file) {
@@ -114,8 +99,9 @@ void step_plan_print(const struct simulation *s, FILE *file) {
 
 void step_run(struct simulation *s, bool rebuild) {
     s->clock.step++;
-    s->clock.time = s->clock.time_base + (double)(s->clock.step - s->clock.step_base) * s->clock.dt;
-    s->agree.signals.rebuild = rebuild || sources_due(s) || physics_due(&s->physics) || skin_auto_due(s);
+    s->clock.time = clock_time(&s->clock, s->clock.step);
+    s->agree.signals.rebuild = rebuild || sources_due(&s->sources, s->scene, &s->clock) ||
+                               physics_due(&s->physics) || skin_auto_due(s);
     physics_prepare(&s->physics);
     memset(s->search.speed, 0, (size_t)s->threads * sizeof *s->search.speed);
     plan_run(fused_due(s) ? &s->plan.fused : &s->plan.plain, 0, &s->timers, s);

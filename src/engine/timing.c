@@ -17,23 +17,24 @@ static double default_fraction(const struct physics_active *mover) {
     return mover->row->mover->fraction ? mover->row->mover->fraction() : 1;
 }
 
-static void dt_set(struct simulation *s, double dt) {
-    s->clock.dt = s->evaluation.dt = dt;
-    physics_prepare(&s->physics);
+static void dt_set(struct clock *clock, struct evaluation *evaluation, const struct physics_set *set,
+                   double dt) {
+    clock->dt = evaluation->dt = dt;
+    physics_prepare(set);
 }
 
 /* Writes what sets the stable time step. Collective. */
-static void why_find(struct simulation *s) {
-    const struct physics_mover *mover = s->physics.mover->row->mover;
-    const char *other = physics_limit_why(&s->physics, s->timing.stable);
-    char *why = s->timing.why;
-    size_t room = sizeof s->timing.why;
+static void why_find(struct timing *timing, const struct physics_set *set) {
+    const struct physics_mover *mover = set->mover->row->mover;
+    const char *other = physics_limit_why(set, timing->stable);
+    char *why = timing->why;
+    size_t room = sizeof timing->why;
     if (other)
         snprintf(why, room, "%s", other);
-    else if (s->timing.stable < s->timing.expected)
+    else if (timing->stable < timing->expected)
         snprintf(why, room, "of the contacts that there are at the start");
     else if (mover->why)
-        mover->why(&s->physics.mover->context, why, room);
+        mover->why(&set->mover->context, why, room);
     else
         snprintf(why, room, "of the motion of grains");
 }
@@ -41,7 +42,7 @@ static void why_find(struct simulation *s) {
 static bool dt_allowed(struct simulation *s, struct error *error) {
     char place[SCENE_PATH_MAX];
     if (isfinite(s->timing.stable))
-        why_find(s);
+        why_find(&s->timing, &s->physics);
     if (s->clock.dt <= s->timing.stable || s->scene->step.force)
         return true;
     if (s->scene->step.fraction > 1)
@@ -80,15 +81,16 @@ bool timing_choose(struct simulation *s, struct error *error) {
         s->clock.dt_fraction = fraction;
         s->clock.dt = goes_on ? s->resumed.dt : fraction * s->timing.stable;
     }
-    dt_set(s, s->clock.dt);
+    dt_set(&s->clock, &s->evaluation, &s->physics, s->clock.dt);
     return dt_allowed(s, error);
 }
 
 /* Changes the length of steps from now on. */
-static void dt_change(struct simulation *s, double dt) {
-    s->clock.step_base = s->clock.step;
-    s->clock.time_base = s->clock.time;
-    dt_set(s, dt);
+static void dt_change(struct clock *clock, struct evaluation *evaluation, const struct physics_set *set,
+                      double dt) {
+    clock->step_base = clock->step;
+    clock->time_base = clock->time;
+    dt_set(clock, evaluation, set, dt);
 }
 
 bool timing_contacts(struct simulation *s, struct error *error) {
@@ -97,13 +99,13 @@ bool timing_contacts(struct simulation *s, struct error *error) {
         return true;
     if (s->clock.dt_fraction > 0 && s->clock.dt > s->clock.dt_fraction * s->timing.stable &&
         (s->resumed.dt != s->clock.dt || s->clock.dt > s->timing.stable))
-        dt_change(s, s->clock.dt_fraction * s->timing.stable);
+        dt_change(&s->clock, &s->evaluation, &s->physics, s->clock.dt_fraction * s->timing.stable);
     return dt_allowed(s, error);
 }
 
-bool timing_due(const struct simulation *s, uint64_t step) {
-    return step % LOOK_EVERY == 0 && isfinite(s->timing.stable) && !s->scene->step.force &&
-           s->scene->guards.step != SCENE_GUARD_OFF;
+bool timing_due(const struct timing *timing, const struct scene *scene, uint64_t step) {
+    return step % LOOK_EVERY == 0 && isfinite(timing->stable) && !scene->step.force &&
+           scene->guards.step != SCENE_GUARD_OFF;
 }
 
 void timing_look(struct simulation *s) {
@@ -114,7 +116,7 @@ void timing_look(struct simulation *s) {
         return;
     if (s->clock.dt_fraction > 0) {
         const struct physics_active *mover = s->physics.mover;
-        dt_change(s, fmin(s->clock.dt_fraction, LOOK_PART) * stable);
+        dt_change(&s->clock, &s->evaluation, &s->physics, fmin(s->clock.dt_fraction, LOOK_PART) * stable);
         if (mover->row->mover->stagger) /* to half a new step back */
             mover->row->mover->stagger(&mover->context, s->clock.dt - before);
         if (s->comm->rank == 0)

@@ -15,7 +15,7 @@ bool timing_contacts(struct simulation *simulation, struct error *error);
 /* timing_due: true if timing_look is to follow that step of the run. timing_look checks whether contacts have
  * become so stiff that the time step is nearly unstable; if so, timing_look shortens a time step that is a
  * fraction of the stable step, and warns otherwise. Collective. */
-bool timing_due(const struct simulation *simulation, uint64_t step);
+bool timing_due(const struct timing *timing, const struct scene *scene, uint64_t step);
 void timing_look(struct simulation *simulation);
 
 #endif

@@ -4,13 +4,12 @@
 #include "engine/tune.h"
 #include <math.h>
 
-void tune_begin(struct simulation *s) {
-    s->search.tuning.start = timer_now();
+void tune_begin(struct tuning *tuning) {
+    tuning->start = timer_now();
 }
 
-void tune_select(struct simulation *s) {
-    if (s->scene->index.measure)
-        index_select(s->search.index, s->search.tuning.variant);
+void tune_select(struct search *search) {
+    index_select(search->index, search->tuning.variant);
 }
 
 static void restart(struct tuning *tuning, int64_t choices) {
@@ -27,17 +26,15 @@ static int fastest(const struct tuning *tuning, int variants) {
     return best;
 }
 
-void tune_end(struct simulation *s) {
-    struct tuning *tuning = &s->search.tuning;
+void tune_end(struct search *search, const struct comm *comm) {
+    struct tuning *tuning = &search->tuning;
     struct index_description description;
-    if (!s->scene->index.measure)
-        return;
-    double seconds = timer_now() - tuning->start, offered = index_trials(s->search.index);
-    index_describe(s->search.index, &description);
+    double seconds = timer_now() - tuning->start, offered = index_trials(search->index);
+    index_describe(search->index, &description);
     int64_t choices = (int64_t)description.choices;
-    comm_max(s->comm, &seconds, 1);
-    comm_min(s->comm, &offered, 1);
-    comm_sum_int(s->comm, &choices, 1);
+    comm_max(comm, &seconds, 1);
+    comm_min(comm, &offered, 1);
+    comm_sum_int(comm, &choices, 1);
     int variants = (int)fmin(offered, TUNING_VARIANTS_MAX);
     if (choices != tuning->choices) {
         restart(tuning, choices);
@@ -54,8 +51,7 @@ void tune_end(struct simulation *s) {
         tuning->variant = fastest(tuning, variants);
 }
 
-double tune_measured(const struct simulation *s) {
-    double builds = s->search.index->builds > 0 ? (double)s->search.index->builds : 1;
-    return (s->search.index->order_seconds + s->search.index->build_seconds + s->search.pairs_seconds) /
-           builds;
+double tune_measured(const struct search *search) {
+    double builds = search->index->builds > 0 ? (double)search->index->builds : 1;
+    return (search->index->order_seconds + search->index->build_seconds + search->pairs_seconds) / builds;
 }

@@ -3,10 +3,10 @@
 #ifndef SCREE_ENGINE_VALUES_H
 #define SCREE_ENGINE_VALUES_H
 
-struct simulation;
+#include "kernel/comm/ghosts.h"
 
 /* Sends the values; receives those of others, and clears the forces of copies. Collective, in pairs. */
-void values_send(struct simulation *simulation);
-void values_receive(struct simulation *simulation);
+void values_send(struct ghosts *ghosts, struct particles *particles);
+void values_receive(struct ghosts *ghosts, struct particles *particles);
 
 #endif

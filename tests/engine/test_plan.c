@@ -93,7 +93,7 @@ static void make(struct step_plan *plan, struct physics_set *set, struct timers 
     set->active[0].context.list[0] = &lists->grains;
     set->active[2].context.list[0] = &lists->far;
     stages_register(timers, rows, 3);
-    plan_make(plan, set, &engine, timers, NULL);
+    plan_make(plan, set, &engine, timers, 0);
 }
 
 static bool holds(const struct plan *plan, const char *name) {
@@ -140,9 +140,11 @@ static void other_lists_run_after_the_sweep(void **state) {
 /* Both orders end with the same passes; a step that computes forces alone runs those from the sums over pairs on. */
 static void forces_begin_at_the_pairs(void **state) {
     (void)state;
-    static const struct engine_pass renew[] = {{"renew", NULL, "decide", NULL, no_run}, {0}},
-                                    sweep[] = {{"sweep", NULL, "sweep", NULL, no_run}, {0}},
-                                    last[] = {{"last", NULL, "comm", NULL, no_run}, {0}};
+    static const struct engine_pass renew[] = {{"renew", NULL, "decide", 0, no_run},
+                                               {"never", NULL, "decide", NEED_RANKS, no_run},
+                                               {0}},
+                                    sweep[] = {{"sweep", NULL, "sweep", 0, no_run}, {0}},
+                                    last[] = {{"last", NULL, "comm", 0, no_run}, {0}};
     static const struct engine_passes engine = {
         .before = {[PASS_LOOK] = last}, .renew = renew, .sweep = sweep};
     const struct physics *rows[] = {&grains};
@@ -153,7 +155,7 @@ static void forces_begin_at_the_pairs(void **state) {
     lists_fill(&lists);
     set.active[0].context.list[0] = &lists.grains;
     stages_register(&timers, rows, 1);
-    plan_make(&plan, &set, &engine, &timers, NULL);
+    plan_make(&plan, &set, &engine, &timers, 0);
     const char *const plain[] = {"move", "renew", "touch", "last"}, *const fused[] = {"sweep", "last"};
     assert_int_equal(plan.plain.passes, 4);
     assert_int_equal(plan.fused.passes, 2);

@@ -136,12 +136,12 @@ void scree_destroy(struct scree_simulation **simulation) {
 static bool step(struct scree_simulation *simulation, bool last, struct error *error) {
     struct simulation *s = simulation->state;
     uint64_t next = s->clock.step + 1;
-    double time = s->clock.time_base + (double)(next - s->clock.step_base) * s->clock.dt;
+    double time = clock_time(&s->clock, next);
     s->agree.signals = (struct step_signals){.error = s->error.kind != ERROR_NONE};
     bool ends = scree_stages_last(simulation, next), rebuild = simulation->changed || ends;
     bool sums =
         last || ends || scree_observe_due(simulation, next, time) || scree_stages_want_sums(simulation, next);
-    bool seen = sums || run_stages_due(&simulation->stages, s, next);
+    bool seen = sums || run_stages_due(&simulation->stages, &s->stage, next);
     simulation->since = timer_now();
     simulation->changed = false; /* a force of the caller may change something again */
     checked_step(s, sums, rebuild, seen);
@@ -181,7 +181,7 @@ uint64_t scree_steps_left(const struct scree_simulation *simulation) {
     const struct simulation *s = state_of(simulation);
     if (s == NULL || scree_stages_over(simulation))
         return 0;
-    uint64_t now = s->clock.step, last = run_last_step(s);
+    uint64_t now = s->clock.step, last = run_last_step(s->scene, &s->stage, &s->clock);
     return last > now ? last - now : 0;
 }
 

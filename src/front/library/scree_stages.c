@@ -60,12 +60,13 @@ bool scree_stages_over(const struct scree_simulation *simulation) {
 }
 
 bool scree_stages_want_sums(const struct scree_simulation *simulation, uint64_t number) {
-    return run_stages_due(&simulation->stages, simulation->state, number) &&
+    return run_stages_due(&simulation->stages, &simulation->state->stage, number) &&
            run_stages_need_sums(&simulation->stages);
 }
 
 bool scree_stages_last(const struct scree_simulation *simulation, uint64_t number) {
-    return simulation->scene->stages > 0 && run_last_step(simulation->state) <= number;
+    return simulation->scene->stages > 0 && run_last_step(simulation->state->scene, &simulation->state->stage,
+                                                          &simulation->state->clock) <= number;
 }
 
 /* Makes a folder of a name of its own where programs put what they need for a while. Collective. */
@@ -114,7 +115,7 @@ static bool end(struct scree_simulation *simulation, struct error *error) {
     struct simulation *s = simulation->state;
     char folder[FILE_PATH_MAX] = "", path[FILE_PATH_MAX + 40];
     bool kept = simulation->folder[0] != '\0';
-    run_stages_end(s);
+    run_stages_end(&s->stage, &s->clock);
     if (scree_stages_over(simulation) && !kept)
         return true;
     if (kept)
@@ -138,7 +139,7 @@ bool scree_stages_advance(struct scree_simulation *simulation, struct error *err
     if (s->scene->stages == 0)
         return true;
     bool last = scree_stages_last(simulation, s->clock.step);
-    if (run_stages_due(&simulation->stages, s, s->clock.step)) {
+    if (run_stages_due(&simulation->stages, &s->stage, s->clock.step)) {
         physics_look(&s->physics);
         run_stages_look(&simulation->stages, s, error);
         if (!comm_agree(&simulation->comm, error))

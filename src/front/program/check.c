@@ -16,33 +16,28 @@
 #include <string.h>
 
 enum { LAYOUT_MOST = 1000000 };
-static void print_classes(const struct simulation *s) {
+static void print_classes(const struct size_classes *classes) {
     printf("\nsize classes\n  %5s %12s %12s %12s %12s\n", "class", "radius from", "to", "particles", "skin");
-    for (int c = 0; c < s->classes.count; c++)
-        printf("  %5d %12.6g %12.6g %12llu %12.6g\n", c, s->classes.radius_min[c], s->classes.radius_max[c],
-               (unsigned long long)s->classes.population[c], s->classes.skin[c][c]);
-    if (s->scene->classes.skin_auto)
-        printf("  the run chooses the skin: from %.3g to %.3g times that above, with up to %d pairs a "
-               "particle\n",
-               skin_choice_factor(SKIN_LEAST), skin_auto_most(s), SKIN_PAIRS_MOST);
+    for (int c = 0; c < classes->count; c++)
+        printf("  %5d %12.6g %12.6g %12llu %12.6g\n", c, classes->radius_min[c], classes->radius_max[c],
+               (unsigned long long)classes->population[c], classes->skin[c][c]);
 }
 
 /* Prints the interactions where there are several, and the pairs that each goes through. Without materials
  * nothing touches, and the first, that of grains, has none. */
-static void print_interactions(const struct simulation *s) {
-    const struct interactions *found = &s->search.interactions;
+static void print_interactions(const struct interactions *found, bool contacts) {
     if (found->count < 2)
         return;
     printf("\ninteractions, rank 0; the index finds %zu pairs\n  %-18s %12s\n", found->all->primary_count,
            "interaction", "pairs");
-    for (int k = s->scene->materials > 0 ? 0 : 1; k < found->count; k++)
+    for (int k = contacts ? 0 : 1; k < found->count; k++)
         printf("  %-18s %12zu  %s\n", found->row[k].name, interaction_list(found, k)->primary_count,
                found->own[k] ? "in a list of its own" : "in the list of all");
 }
 
 /* The levels of the index in one line. */
-static void print_cells(const struct simulation *s, const struct index_description *description) {
-    printf("index %s, rank 0", s->scene->index.name);
+static void print_cells(const char *index, const struct index_description *description) {
+    printf("index %s, rank 0", index);
     for (int l = 0; l < description->levels; l++) {
         const struct index_level *level = &description->level[l];
         printf("%s%.4g",
@@ -56,15 +51,15 @@ static void print_cells(const struct simulation *s, const struct index_descripti
     printf("\n");
 }
 
-static void print_levels(const struct simulation *s, bool all) {
+static void print_levels(const struct search *search, const char *index, bool all) {
     struct index_description description;
-    index_describe(s->search.index, &description);
+    index_describe(search->index, &description);
     if (!all) {
-        print_cells(s, &description);
+        print_cells(index, &description);
         return;
     }
-    printf("\nindex %s, rank 0\n  %5s %12s %12s %12s %14s\n", s->scene->index.name, "level", "cell", "cells",
-           "particles", "particles/cell");
+    printf("\nindex %s, rank 0\n  %5s %12s %12s %12s %14s\n", index, "level", "cell", "cells", "particles",
+           "particles/cell");
     for (int l = 0; l < description.levels; l++) {
         const struct index_level *level = &description.level[l];
         printf("  %5d %12.6g %12zu %12zu %14.3g%s\n", l, level->cell, level->cells, level->particles,
@@ -73,7 +68,7 @@ static void print_levels(const struct simulation *s, bool all) {
     }
     if (description.choice[0])
         printf("  chosen: %s; predicted %.4g ms a rebuild, the first took %.4g ms\n  %s\n",
-               description.choice, 1e3 * description.predicted, 1e3 * tune_measured(s), description.why);
+               description.choice, 1e3 * description.predicted, 1e3 * tune_measured(search), description.why);
 }
 
 /* The longest step told of, as a part of the stable one, and the error of an impact up to which a step is told of
@@ -81,9 +76,9 @@ static void print_levels(const struct simulation *s, bool all) {
 static const double long_fraction = 0.9, small_error = 0.01;
 
 /* Prints the share of the steps that a step of this part of the stable one takes, and its error by the study. */
-static void print_price(const struct simulation *s, double fraction) {
-    double error = step_study_error(&s->scene->law, fraction);
-    printf("  %13.3g %18.2g  ", fraction, s->clock.dt / s->timing.stable / fraction);
+static void print_price(const struct law_options *law, double present, double fraction) {
+    double error = step_study_error(law, fraction);
+    printf("  %13.3g %18.2g  ", fraction, present / fraction);
     if (isnan(error))
         printf("not studied\n");
     else
@@ -92,61 +87,58 @@ static void print_price(const struct simulation *s, double fraction) {
 
 /* Prints the present step, which is a part of the stable one, and longer ones: the longest whose error is small, and the
  * longest. */
-static void print_longer_steps(const struct simulation *s) {
-    double present = s->clock.dt / s->timing.stable, small = step_study_longest(&s->scene->law, small_error);
+static void print_longer_steps(const struct law_options *law, double present) {
+    double small = step_study_longest(law, small_error);
     printf("  step.fraction  of steps and time  an impact is off by up to (docs/speed-error.md)\n");
-    print_price(s, present);
+    print_price(law, present, present);
     bool longer =
         small > 1.001 * present && small < long_fraction; /* a run may have shortened its step by a trifle */
     if (longer)
-        print_price(s, small);
+        print_price(law, present, small);
     if (long_fraction > 1.001 * present)
-        print_price(s, long_fraction);
+        print_price(law, present, long_fraction);
     printf("  `scree ablate --error --only step` measures the errors of this scene%s\n",
-           s->scene->law.cohesion == LAW_COHESION_NONE
-               ? ""
-               : "; cohesion stronger than the study's has larger ones");
+           law->cohesion == LAW_COHESION_NONE ? "" : "; cohesion stronger than the study's has larger ones");
 }
 
 /* The step in two lines. */
-static void print_step_short(const struct simulation *s) {
-    const struct grains *grains = grains_of(&s->physics);
-    bool springs = s->scene->materials > 0 && !grains->law.options.solved;
-    printf("time step %.6g", s->clock.dt);
-    if (!isfinite(s->timing.stable)) {
+static void print_step_short(const struct scene *scene, const struct clock *clock,
+                             const struct timing *timing) {
+    bool springs = scene->materials > 0 && !scene->law.solved;
+    printf("time step %.6g", clock->dt);
+    if (!isfinite(timing->stable)) {
         printf("; any is stable\n");
         return;
     }
-    printf(" = %.3g of the stable %.6g (%s)\n", s->clock.dt / s->timing.stable, s->timing.stable,
-           s->timing.why);
-    double error = step_study_error(&s->scene->law, s->clock.dt / s->timing.stable),
-           longer = step_study_error(&s->scene->law, long_fraction);
-    if (springs && s->clock.dt_fraction > 0 && !isnan(error) && !isnan(longer))
+    printf(" = %.3g of the stable %.6g (%s)\n", clock->dt / timing->stable, timing->stable, timing->why);
+    double error = step_study_error(&scene->law, clock->dt / timing->stable),
+           longer = step_study_error(&scene->law, long_fraction);
+    if (springs && clock->dt_fraction > 0 && !isnan(error) && !isnan(longer))
         printf("  an impact is off by up to %.2g %%; step.fraction %.2g: %.2g of the steps, %.2g %% "
                "(docs/speed-error.md)\n",
-               100 * error, long_fraction, s->clock.dt / s->timing.stable / long_fraction, 100 * longer);
+               100 * error, long_fraction, clock->dt / timing->stable / long_fraction, 100 * longer);
 }
 
-static void print_step(const struct simulation *s) {
-    const struct grains *grains = grains_of(&s->physics);
-    bool limited = isfinite(s->timing.stable);
-    bool springs = s->scene->materials > 0 && !grains->law.options.solved;
+static void print_step(const struct scene *scene, const struct clock *clock, const struct timing *timing,
+                       const struct timestep_limits *limits) {
+    bool limited = isfinite(timing->stable);
+    bool springs = scene->materials > 0 && !scene->law.solved;
     printf("\ntime step\n");
     if (limited)
-        printf("  stable       %.6g (%s)\n", s->timing.stable, s->timing.why);
-    if (s->timing.stable < s->timing.expected)
-        printf("               %.6g for contacts to come\n", s->timing.expected);
+        printf("  stable       %.6g (%s)\n", timing->stable, timing->why);
+    if (timing->stable < timing->expected)
+        printf("               %.6g for contacts to come\n", timing->expected);
     if (springs)
-        printf("  contact time %.6g\n", grains->stable.limits.contact_time);
-    if (grains->stable.limits.rayleigh > 0)
-        printf("  Rayleigh     %.6g\n", grains->stable.limits.rayleigh);
+        printf("  contact time %.6g\n", limits->contact_time);
+    if (limits->rayleigh > 0)
+        printf("  Rayleigh     %.6g\n", limits->rayleigh);
     if (limited)
-        printf("  chosen       %.6g = %.3g of the stable one (default %.3g)\n", s->clock.dt,
-               s->clock.dt / s->timing.stable, timestep_default_fraction());
+        printf("  chosen       %.6g = %.3g of the stable one (default %.3g)\n", clock->dt,
+               clock->dt / timing->stable, timestep_default_fraction());
     else
-        printf("  chosen       %.6g; any is stable\n", s->clock.dt);
-    if (limited && springs && s->clock.dt_fraction > 0)
-        print_longer_steps(s);
+        printf("  chosen       %.6g; any is stable\n", clock->dt);
+    if (limited && springs && clock->dt_fraction > 0)
+        print_longer_steps(&scene->law, clock->dt / timing->stable);
 }
 
 /* Prints all notes together, for people who read only the notes; the last line says whether a guard would end
@@ -166,10 +158,7 @@ static const char *guard_word(enum scene_guard guard, bool trips) {
 }
 
 /* Prints the state of the guards before the run. */
-static void print_guards(const struct simulation *s, const struct notes *notes) {
-    const struct grains *grains = grains_of(&s->physics);
-    const struct scene_guards *guards = &s->scene->guards;
-    double moved = notes_moved(s, notes);
+static void print_guards(const struct scene_guards *guards, const struct grains *grains, double moved) {
     printf("\nguards, at the expected speed of %.4g\n", grains->stable.speed_expected);
     printf("  speed    moves by %.3g of the smallest radius in a step (bound 1)%s\n", moved,
            guard_word(guards->speed, moved > 1));
@@ -191,8 +180,6 @@ static void print_guards(const struct simulation *s, const struct notes *notes) 
                guard_word(guards->overlap, grains->stable.overlap_started > guards->overlap_bound));
     printf("  energy   %s\n", guards->energy == SCENE_GUARD_OFF ? "growth is not looked at"
                                                                 : "growth without cause is looked for");
-    if (s->clock.dt > s->timing.stable)
-        printf("  step     %.3g of the stable one: energy will grow\n", s->clock.dt / s->timing.stable);
 }
 
 static void print_memory(const struct simulation *s, bool all) {
@@ -206,7 +193,7 @@ static void print_memory(const struct simulation *s, bool all) {
                (double)index_memory(s->search.index) / 1048576,
                s->search.history ? (double)history_memory(s->search.history) / 1048576 : 0);
     else
-        check_parts_bytes(s);
+        check_parts_bytes(s->particles, &grains_of(&s->physics)->law);
     if (s->scene->classes.skin_auto)
         printf("  pairs up to %.1f MiB, as the run chooses the skin\n",
                fmax(SKIN_PAIRS_MOST * n * 2 * sizeof(uint32_t), (double)pairlist_memory(s->search.list)) /
@@ -223,11 +210,10 @@ static void print_extent(const char *what, const char *name, const struct extent
 }
 
 /* Writes what is to be said of wall w besides its extent. */
-static const char *wall_note(const struct simulation *s, const struct extent *extent, int w, char text[128]) {
-    const struct grains *grains = grains_of(&s->physics);
-    const struct wall_options *wall = walls_options(grains->walls, w);
+static const char *wall_note(const struct wall_options *wall, const struct scene *scene,
+                             const struct extent *extent, char text[128]) {
     snprintf(text, 128, "%s",
-             wall_shape_meshed(wall->shape) && grains_wall_apart(s->scene, extent)
+             wall_shape_meshed(wall->shape) && grains_wall_apart(scene, extent)
                  ? "  NOTE: wholly outside of the box"
                  : "");
     for (int m = 0; m < wall->motions; m++)
@@ -238,12 +224,11 @@ static const char *wall_note(const struct simulation *s, const struct extent *ex
 }
 
 /* Prints the extent of particles and walls, as parts that lie far apart are probably a mistake. */
-static void print_extents(const struct simulation *s, const struct notes *notes) {
+static void print_extents(const struct scene *scene, const struct grains *grains, const struct notes *notes) {
     static const char *const shapes[] = {[WALL_PLANE] = "plane", [WALL_CYLINDER] = "cylinder",
                                          [WALL_MESH] = "mesh",   [WALL_RECTANGLE] = "rectangle",
                                          [WALL_BOX] = "box",     [WALL_DISC] = "disc",
                                          [WALL_CONE] = "cone"};
-    const struct scene *scene = s->scene;
     struct extent box;
     char note[128] = "";
     memcpy(box.lower, scene->box_lower, sizeof box.lower);
@@ -253,12 +238,13 @@ static void print_extents(const struct simulation *s, const struct notes *notes)
     print_extent("box", "", &box, "");
     if (notes->outside > 0)
         snprintf(note, sizeof note, "  NOTE: %lld of them outside of the box", (long long)notes->outside);
-    if (s->total > 0)
+    if (notes->total > 0)
         print_extent("particles", "", &notes->particles, note);
-    for (int w = 0; w < s->scene->walls; w++) {
-        const struct wall_options *wall = &s->scene->wall[w];
-        struct extent extent = grains_wall_extent(grains_of(&s->physics), s->scene, w);
-        print_extent(shapes[wall->shape], wall->name, &extent, wall_note(s, &extent, w, note));
+    for (int w = 0; w < scene->walls; w++) {
+        const struct wall_options *wall = &scene->wall[w];
+        struct extent extent = grains_wall_extent(grains, scene, w);
+        print_extent(shapes[wall->shape], wall->name, &extent,
+                     wall_note(walls_options(grains->walls, w), scene, &extent, note));
     }
 }
 
@@ -266,8 +252,9 @@ static void print_extents(const struct simulation *s, const struct notes *notes)
 static void print_inside(const struct simulation *s) {
     printf("\npasses of a step\n");
     step_plan_print(s, stdout);
-    check_parts_fields(s);
-    check_parts_wire(s);
+    check_parts_fields(s->particles, s->scene, &grains_of(&s->physics)->law);
+    if (!s->ranks.alone)
+        check_parts_wire(s->particles, s->search.view.newton);
 }
 
 static void print_scene(const struct simulation *s, const struct notes *notes, bool all) {
@@ -283,18 +270,24 @@ static void print_scene(const struct simulation *s, const struct notes *notes, b
            s->search.view.newton ? "on" : "off", s->search.list->primary_count, grains->sums.contacts);
     if (scene->reproducible)
         printf("  reproducible: pairs across ranks are computed on both sides (newton off, full copies)\n");
-    print_extents(s, notes);
+    print_extents(scene, grains, notes);
     check_parts_terms(s, all);
     if (all)
         print_inside(s);
-    print_classes(s);
-    print_interactions(s);
-    print_levels(s, all);
+    print_classes(&s->classes);
+    if (s->scene->classes.skin_auto)
+        printf("  the run chooses the skin: from %.3g to %.3g times that above, with up to %d pairs a "
+               "particle\n",
+               skin_choice_factor(SKIN_LEAST), skin_auto_most(s), SKIN_PAIRS_MOST);
+    print_interactions(&s->search.interactions, scene->materials > 0);
+    print_levels(&s->search, scene->index.name, all);
     if (all)
-        print_step(s);
+        print_step(scene, &s->clock, &s->timing, &grains->stable.limits);
     else
-        print_step_short(s);
-    print_guards(s, notes);
+        print_step_short(scene, &s->clock, &s->timing);
+    print_guards(&scene->guards, grains, notes_moved(notes, &s->classes, s->clock.dt));
+    if (s->clock.dt > s->timing.stable)
+        printf("  step     %.3g of the stable one: energy will grow\n", s->clock.dt / s->timing.stable);
     print_memory(s, all);
 }
 

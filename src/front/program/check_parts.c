@@ -74,18 +74,16 @@ static void print_term(struct terms *terms, const char *term, const char *brough
 
 /* Prints the effect of the end of contacts, at the least restitution of all pairs, and the effect of the
  * other end. */
-static void print_end(const struct simulation *s) {
-    const struct grains *grains = grains_of(&s->physics);
-    enum law_end end = grains->law.options.end,
-                 other = end == LAW_END_FORCE ? LAW_END_OVERLAP : LAW_END_FORCE;
+static void print_end(const struct scene *scene, const struct law *law) {
+    enum law_end end = law->options.end, other = end == LAW_END_FORCE ? LAW_END_OVERLAP : LAW_END_FORCE;
     static const char *const what[] = {[LAW_END_OVERLAP] = "overlap: the damper pulls before surfaces part",
                                        [LAW_END_FORCE] = "force: dampers never attract"};
     double e = 1.0;
-    for (int a = 0; a < grains->law.materials; a++)
-        for (int b = a; b < grains->law.materials; b++)
-            e = fmin(e, scene_law_pair(s->scene, a, b)->restitution);
+    for (int a = 0; a < law->materials; a++)
+        for (int b = a; b < law->materials; b++)
+            e = fmin(e, scene_law_pair(scene, a, b)->restitution);
     printf("  %-22s on   contact.end: %s", "end of a contact", what[end]);
-    if (law_damping_form_of(grains->law.options.damping)->given)
+    if (law_damping_form_of(law->options.damping)->given)
         printf("; the restitution depends on it");
     else if (e < 1.0)
         printf("; at restitution %g damping ratio %.3g, friction of sliding impacts %.3f of Coulomb's (%s: "
@@ -120,7 +118,7 @@ void check_parts_terms(const struct simulation *s, bool all) {
     print_term(&terms, "normal force", scene->materials > 0 ? text : "", "the scene has no materials");
     text[0] = '\0';
     if (scene->materials > 0 && !grains->law.options.solved)
-        print_end(s);
+        print_end(scene, &grains->law);
     pairs_with(scene, offsetof(struct law_pair, friction), text, sizeof text);
     print_term(&terms, "friction, spin, history",
                grains->law.spin ? text[0] ? text : "contact.tangential: history" : "",
@@ -175,49 +173,46 @@ static void reason_of(const struct scene *scene, const struct field *field, char
              met ? names : "");
 }
 
-void check_parts_fields(const struct simulation *s) {
+void check_parts_fields(const struct particles *particles, const struct scene *scene, const struct law *law) {
     char why[2 * WHY_MAX];
     printf("\nfields of a particle\n  %-18s %6s  %s\n", "field", "bytes", "needed for");
-    for (int f = 0; f < fields_count(s->particles); f++) {
-        const struct field *field = fields_get(s->particles, f);
-        reason_of(s->scene, field, why, sizeof why);
+    for (int f = 0; f < fields_count(particles); f++) {
+        const struct field *field = fields_get(particles, f);
+        reason_of(scene, field, why, sizeof why);
         printf("  %-18s %6zu  %s\n", field->name, fields_bytes(field), why);
     }
     struct particles *known = particles_create(0);
     frame_register_all(known);
     for (int f = 0; f < fields_count(known); f++) {
         const struct field *field = fields_get(known, f);
-        reason_of(s->scene, field, why, sizeof why);
-        if (fields_find(s->particles, field->name) < 0)
+        reason_of(scene, field, why, sizeof why);
+        if (fields_find(particles, field->name) < 0)
             printf("  %-18s %6s  not needed; it is for %s\n", field->name, "-", why);
     }
     particles_destroy(&known);
     printf("  ");
-    check_parts_bytes(s);
+    check_parts_bytes(particles, law);
 }
 
-void check_parts_bytes(const struct simulation *s) {
-    const struct grains *grains = grains_of(&s->physics);
+void check_parts_bytes(const struct particles *particles, const struct law *law) {
     printf("stored: %zu bytes a particle (all fields, forces and spins padded), ",
-           particles_bytes_each(s->particles));
-    if (grains->law.history_components)
+           particles_bytes_each(particles));
+    if (law->history_components)
         printf("history: %zu bytes a touching pair\n",
-               2 * (sizeof(uint32_t) + (size_t)grains->law.history_components * sizeof(double)));
+               2 * (sizeof(uint32_t) + (size_t)law->history_components * sizeof(double)));
     else
-        printf("history: none (%s)\n", grains->law.options.solved ? "a solver has its own" : "no friction");
+        printf("history: none (%s)\n", law->options.solved ? "a solver has its own" : "no friction");
 }
 
 /* Bytes of a particle's fields with a use. */
-static size_t bytes_of(const struct simulation *s, unsigned use) {
-    const struct field_list fields = fields_with(s->particles, use);
-    return fields_packed_bytes(s->particles, &fields);
+static size_t bytes_of(const struct particles *particles, unsigned use) {
+    const struct field_list fields = fields_with(particles, use);
+    return fields_packed_bytes(particles, &fields);
 }
 
-void check_parts_wire(const struct simulation *s) {
-    if (s->ranks.alone)
-        return;
+void check_parts_wire(const struct particles *particles, bool newton) {
     printf("\nbytes on the wire: %zu a copy when made, %zu a copy and step, %zu sent back, %zu a migrating "
            "particle\n",
-           bytes_of(s, FIELD_GHOST), bytes_of(s, FIELD_FORWARD),
-           s->search.view.newton ? bytes_of(s, FIELD_REVERSE) : (size_t)0, bytes_of(s, FIELD_MIGRATE));
+           bytes_of(particles, FIELD_GHOST), bytes_of(particles, FIELD_FORWARD),
+           newton ? bytes_of(particles, FIELD_REVERSE) : (size_t)0, bytes_of(particles, FIELD_MIGRATE));
 }

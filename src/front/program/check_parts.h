@@ -15,13 +15,13 @@
 void check_parts_terms(const struct simulation *s, bool all);
 
 /* Prints the fields of a particle with bytes and reason, and those that are not needed. One thread. */
-void check_parts_fields(const struct simulation *s);
+void check_parts_fields(const struct particles *particles, const struct scene *scene, const struct law *law);
 
 /* Prints the bytes that are stored of a particle and of a pair that touches. One thread. */
-void check_parts_bytes(const struct simulation *s);
+void check_parts_bytes(const struct particles *particles, const struct law *law);
 
 /* Prints the bytes of a particle in each kind of message; nothing on one rank. One thread. */
-void check_parts_wire(const struct simulation *s);
+void check_parts_wire(const struct particles *particles, bool newton);
 
 /* What a layout of ranks and threads will need, told by one rank: `scree check SCENE --ranks N --threads M`. */
 

@@ -60,12 +60,13 @@ static void count(const struct bricks *bricks, const double position[3], double 
             }
 }
 
-static void fill(const struct bricks *bricks, const struct simulation *s) {
+static void fill(const struct bricks *bricks, const struct particles *particles,
+                 const struct size_classes *classes, bool reduced) {
     double reach[CLASS_MAX];
-    copies_reach(&s->classes, s->scene->ghosts.reduced, reach);
-    for (size_t k = 0; k < s->particles->owned; k++) {
-        const struct particle_state *p = &s->particles->state[k];
-        double far = reach[s->particles->size_class[k]];
+    copies_reach(classes, reduced, reach);
+    for (size_t k = 0; k < particles->owned; k++) {
+        const struct particle_state *p = &particles->state[k];
+        double far = reach[particles->size_class[k]];
         count(bricks, p->x, isfinite(far) ? p->radius + far : 0);
     }
 }
@@ -81,14 +82,14 @@ static void print_range(const char *what, const uint64_t *value, int n) {
            (unsigned long long)most, (double)sum / n);
 }
 
-static void print(const struct bricks *bricks, const struct simulation *s, int ranks, int threads) {
+static void print(const struct bricks *bricks, size_t particles, int ranks, int threads) {
     uint64_t most = 0, owned = 0;
     for (int k = 0; k < ranks; k++) {
         uint64_t here = bricks->owned[k] + bricks->copies[k];
         most = here > most ? here : most;
         owned = bricks->owned[k] > owned ? bricks->owned[k] : owned;
     }
-    double each = s->particles->owned ? (double)memory_in_use() / (double)s->particles->owned : 0;
+    double each = particles ? (double)memory_in_use() / (double)particles : 0;
     printf("\non %d rank%s of %d thread%s (%lld cores)\n", ranks, ranks == 1 ? "" : "s", threads,
            threads == 1 ? "" : "s", (long long)ranks * threads);
     printf("  %-22s %d x %d x %d\n", "bricks", bricks->grid[0], bricks->grid[1], bricks->grid[2]);
@@ -96,23 +97,23 @@ static void print(const struct bricks *bricks, const struct simulation *s, int r
     print_range("copies of a rank", bricks->copies, ranks);
     printf("  %-22s about %.1f MiB on the fullest rank\n", "memory", each * (double)most / 1048576);
     printf("  %-22s %.0f on the fullest rank\n", "particles of a thread", (double)owned / threads);
-    if ((double)owned * ranks > 1.3 * (double)s->particles->owned)
+    if ((double)owned * ranks > 1.3 * (double)particles)
         printf("  the fullest rank has %.2g times the mean: domain: bisection divides the particles more "
                "evenly\n",
-               (double)owned * ranks / (double)s->particles->owned);
+               (double)owned * ranks / (double)particles);
 }
 
 bool layout_print(const struct simulation *s, int ranks, int threads, struct error *error) {
     struct bricks bricks = {.box = &s->box};
-    double *density = load_map(s);
+    double *density = load_map(s->particles, &s->box, s->comm);
     bool good = domain_grid_choose(ranks, &s->box, s->scene->domain.grid, density, bricks.grid);
     memory_free(density);
     if (!good)
         return domain_grid_refuse(ranks, &s->box, s->scene->domain.grid, error);
     bricks.owned = memory_allocate_zero((size_t)ranks, sizeof *bricks.owned, "layout");
     bricks.copies = memory_allocate_zero((size_t)ranks, sizeof *bricks.copies, "layout");
-    fill(&bricks, s);
-    print(&bricks, s, ranks, threads);
+    fill(&bricks, s->particles, &s->classes, s->scene->ghosts.reduced);
+    print(&bricks, s->particles->owned, ranks, threads);
     memory_free(bricks.owned);
     memory_free(bricks.copies);
     return true;

@@ -42,10 +42,10 @@ static void time_words(double seconds, char *text, size_t room) {
 }
 
 /* How often an output is written; the start counts. */
-static double times(const struct simulation *s, const struct output_interval *every, uint64_t steps) {
+static double times(const struct output_interval *every, uint64_t steps, double dt) {
     if (every->steps > 0)
         return 1 + floor((double)steps / (double)every->steps);
-    return 1 + floor((double)steps * s->clock.dt / every->time * (1 + 1e-12));
+    return 1 + floor((double)steps * dt / every->time * (1 + 1e-12));
 }
 
 /* Prints a file that a run writes; bytes 0: not known. A line each, or all in one. */
@@ -59,48 +59,47 @@ static void file_print(bool all, const char *name, double count, const char *uni
         printf("\n");
 }
 
-/* Bytes of a frame, or of its text if `characters` is not 0; with the columns that never change, or without. */
-static double frame_bytes(const struct simulation *s, const struct output_fields *fields, int characters,
+/* Bytes of a particle in a frame, or of its text if `characters` is not 0; with the columns that never change, or without. */
+static double frame_bytes(const struct output_view *view, const struct output_fields *fields, int characters,
                           bool fixed) {
-    const struct output_view view = simulation_view(s);
     struct frame frame;
     double bytes = 0;
-    frame_create(&frame, &view, fields);
+    frame_create(&frame, view, fields);
     for (int c = 0; c < frame.columns; c++)
         if (fixed || !frame.column[c].fixed)
             bytes += characters ? (double)characters * frame.column[c].components
                                 : (double)frame_column_bytes(&frame.column[c]);
     frame_free(&frame);
-    return bytes * (double)s->total;
+    return bytes;
 }
 
-static double checkpoint_bytes(const struct simulation *s) {
-    const struct field_list fields = fields_with(s->particles, FIELD_MIGRATE);
-    double each = (double)fields_packed_bytes(s->particles, &fields);
-    return CHECKPOINT_HEAD + each * (double)s->total;
+static double checkpoint_bytes(const struct particles *particles, uint64_t total) {
+    const struct field_list fields = fields_with(particles, FIELD_MIGRATE);
+    double each = (double)fields_packed_bytes(particles, &fields);
+    return CHECKPOINT_HEAD + each * (double)total;
 }
 
-static void wall_frames_print(const struct simulation *s, bool all, uint64_t steps) {
-    const struct output_interval *every = &s->scene->output.walls.every;
+static void wall_frames_print(const struct walls *walls, const struct output_interval *every, bool all,
+                              uint64_t steps, double dt) {
     struct wall_surface surface;
-    if (!output_interval_set(every) || grains_of(&s->physics)->walls == NULL)
+    if (!output_interval_set(every) || walls == NULL)
         return;
-    double frames = times(s, every, steps);
-    wall_surface_make(&surface, grains_of(&s->physics)->walls, NULL);
+    double frames = times(every, steps, dt);
+    wall_surface_make(&surface, walls, NULL);
     file_print(all, "walls-STEP.vtp", frames, "frame", frames * wall_frames_bytes((double)surface.triangles));
     wall_surface_free(&surface);
 }
 
-static void grids_print(const struct simulation *s, bool all, uint64_t steps) {
-    const struct observables_options *options = &s->scene->output.observables;
+static void grids_print(const struct observables_options *options, int dimension, bool all, uint64_t steps,
+                        double dt) {
     for (int g = 0; g < options->grids; g++) {
         const struct output_grid *grid = &options->grid[g];
         char name[OUTPUT_NAME_MAX + 16];
         double cells = 1;
-        for (int d = 0; d < s->scene->box.dimension; d++)
+        for (int d = 0; d < dimension; d++)
             cells *= (double)grid->cells[d];
         snprintf(name, sizeof name, "grid-%s.csv", grid->name);
-        file_print(all, name, cells * times(s, &grid->every, steps), "row", 0);
+        file_print(all, name, cells * times(&grid->every, steps, dt), "row", 0);
     }
 }
 
@@ -109,10 +108,12 @@ static void files_print(const struct simulation *s, bool all, uint64_t steps) {
     const struct output_options *output = &s->scene->output;
     const struct trajectory_options *trajectory = &output->trajectory;
     bool told = s->comm->rank == 0, varying = outputs_run(s, NULL).varying;
-    double frame = frame_bytes(s, &trajectory->fields, 0, varying),
-           first = frame_bytes(s, &trajectory->fields, 0, true),
-           line = frame_bytes(s, &output->dump.fields, NUMBER_CHARACTERS, true);
-    double frames = output_interval_set(&trajectory->every) ? times(s, &trajectory->every, steps) : 0;
+    const struct output_view view = simulation_view(s);
+    double total = (double)s->total, frame = total * frame_bytes(&view, &trajectory->fields, 0, varying),
+           first = total * frame_bytes(&view, &trajectory->fields, 0, true),
+           line = total * frame_bytes(&view, &output->dump.fields, NUMBER_CHARACTERS, true);
+    double frames =
+        output_interval_set(&trajectory->every) ? times(&trajectory->every, steps, s->clock.dt) : 0;
     if (!told)
         return;
     printf(all ? "  files in the folder of -o\n" : "  files        report.json");
@@ -121,22 +122,24 @@ static void files_print(const struct simulation *s, bool all, uint64_t steps) {
     if (frames > 0 && trajectory->xdmf)
         file_print(all, "trajectory.xdmf", frames, "frame", frames * XDMF_FRAME);
     if (output_interval_set(&trajectory->contacts))
-        file_print(all, "contacts in trajectory.h5", times(s, &trajectory->contacts, steps), "list", 0);
+        file_print(all, "contacts in trajectory.h5", times(&trajectory->contacts, steps, s->clock.dt), "list",
+                   0);
     if (output_interval_set(&output->dump.every)) {
-        double count = times(s, &output->dump.every, steps);
+        double count = times(&output->dump.every, steps, s->clock.dt);
         file_print(all, "dump.lammpstrj", count, "frame", count * line);
     }
-    wall_frames_print(s, all, steps);
+    wall_frames_print(grains_of(&s->physics)->walls, &output->walls.every, all, steps, s->clock.dt);
     if (output_interval_set(&output->observables.every))
-        file_print(all, "observables.csv", times(s, &output->observables.every, steps), "row", 0);
-    grids_print(s, all, steps);
+        file_print(all, "observables.csv", times(&output->observables.every, steps, s->clock.dt), "row", 0);
+    grids_print(&output->observables, s->scene->box.dimension, all, steps, s->clock.dt);
     double checkpoints = output->checkpoint.at_end ? 1 : 0;
     if (output->checkpoint.every_steps > 0)
         checkpoints += floor((double)steps / (double)output->checkpoint.every_steps);
     checkpoints = output->checkpoint.every_minutes > 0 ? output->checkpoint.keep : checkpoints;
     checkpoints = checkpoints > output->checkpoint.keep ? output->checkpoint.keep : checkpoints;
     if (checkpoints > 0)
-        file_print(all, "checkpoint-STEP.h5", checkpoints, "file", checkpoints * checkpoint_bytes(s));
+        file_print(all, "checkpoint-STEP.h5", checkpoints, "file",
+                   checkpoints * checkpoint_bytes(s->particles, s->total));
     printf(all ? "    report.json\n" : "\n");
     if (frames == 0 && !output_interval_set(&trajectory->contacts) &&
         !output_interval_set(&output->dump.every) && !output_interval_set(&output->observables.every) &&
@@ -161,17 +164,17 @@ static double steps_time(struct simulation *s, uint64_t last, uint64_t *steps) {
     return *steps ? seconds[0] / (double)*steps : 0;
 }
 
-static bool has_fluid(const struct simulation *s) {
+static bool has_fluid(const struct physics_set *set) {
     bool found = false;
-    for (int k = 0; k < s->physics.count; k++)
-        found = found || strcmp(s->physics.active[k].row->name, "fluid") == 0;
+    for (int k = 0; k < set->count; k++)
+        found = found || strcmp(set->active[k].row->name, "fluid") == 0;
     return found;
 }
 
 static void time_print(struct simulation *s, bool all, uint64_t last, uint64_t steps) {
     uint64_t timed, rebuilds = s->search.skin->rebuilds;
     char each[64];
-    if (has_fluid(s)) {
+    if (has_fluid(&s->physics)) {
         if (s->comm->rank == 0)
             printf("  time         not estimated: a single step of a fluid may take long\n");
         return;
@@ -230,7 +233,8 @@ static void stages_print(const struct scene *scene) {
 }
 
 void run_cost_print(struct simulation *s, bool all) {
-    uint64_t last = run_last_step(s), steps = last > s->clock.step ? last - s->clock.step : 0;
+    uint64_t last = run_last_step(s->scene, &s->stage, &s->clock),
+             steps = last > s->clock.step ? last - s->clock.step : 0;
     if (s->comm->rank == 0) {
         stages_print(s->scene);
         printf("\nwhat a run%s will cost\n", s->scene->stages > 0 ? " of the first stage" : "");

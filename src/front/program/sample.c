@@ -28,22 +28,22 @@ static bool columns_fit(int own, const struct scene *scene, struct error *error)
 
 /* Makes the columns: the scene's own list (energies, momentum and contacts if the scene has no list), then
  * the energies and momentum. */
-static bool columns_make(struct sampler *sampler, struct simulation *s, struct error *error) {
+static bool columns_make(struct sampler *sampler, const struct scene *scene, const struct output_view *view,
+                         struct error *error) {
     struct sample_record *record = sampler->record;
-    struct output_view view = simulation_view(s);
     struct output_run run = {.directory = "",
                              .scene = "",
-                             .dimensionless = s->scene->units == SCENE_UNITS_NONE,
-                             .materials = s->scene->materials,
-                             .material = s->scene->material};
-    struct observables_options own = s->scene->output.observables,
+                             .dimensionless = scene->units == SCENE_UNITS_NONE,
+                             .materials = scene->materials,
+                             .material = scene->material};
+    struct observables_options own = scene->output.observables,
                                whole = {.count = 3,
                                         .request = {
                                             {.name = "energy"}, {.name = "momentum"}, {.name = "speed_max"}}};
-    if (!observables_create(&sampler->own, &own, &view, &run, error) ||
-        !observables_create(&sampler->whole, &whole, &view, &run, error))
+    if (!observables_create(&sampler->own, &own, view, &run, error) ||
+        !observables_create(&sampler->whole, &whole, view, &run, error))
         return false;
-    if (!columns_fit(observables_columns(sampler->own), s->scene, error))
+    if (!columns_fit(observables_columns(sampler->own), scene, error))
         return false;
     record->own = observables_columns(sampler->own);
     record->columns = record->own + observables_columns(sampler->whole);
@@ -57,45 +57,49 @@ static bool columns_make(struct sampler *sampler, struct simulation *s, struct e
     return true;
 }
 
-static void tracked_choose(struct sampler *sampler, const struct simulation *s) {
+static void tracked_choose(struct sampler *sampler, int64_t next_id, const struct comm *comm) {
     struct sample_record *record = sampler->record;
-    int64_t ids = s->sources.next_id > 1 ? s->sources.next_id - 1 : 1;
+    int64_t ids = next_id > 1 ? next_id - 1 : 1;
     record->stride = (ids + SAMPLE_TRACKED_MAX - 1) / SAMPLE_TRACKED_MAX;
     record->tracked = (size_t)((ids + record->stride - 1) / record->stride);
-    if (s->comm->rank != 0)
+    if (comm->rank != 0)
         return;
     size_t places = record->tracked * ((size_t)sampler->samples_max + 1);
     record->present = memory_allocate_zero(places, sizeof *record->present, "samples");
     record->position = memory_allocate_zero(places, sizeof *record->position, "samples");
 }
 
-static void bulk_measure(struct sample_record *record, const struct simulation *s) {
-    const struct particles *p = s->particles;
+static void bulk_measure(struct sample_record *record, const struct particles *p, const struct comm *comm) {
     record->radius_min = INFINITY;
     for (size_t k = 0; k < p->owned; k++) {
         record->radius_min = fmin(record->radius_min, p->state[k].radius);
         record->mass += p->state[k].inverse_mass > 0 ? 1 / p->state[k].inverse_mass : 0;
     }
-    comm_min(s->comm, &record->radius_min, 1);
-    comm_sum(s->comm, &record->mass, 1);
-    record->closed = s->scene->insertions == 0 && s->scene->deletions == 0 && !box_may_lose(&s->box);
-    for (int g = 0; g < s->scene->groups; g++)
-        record->closed = record->closed && s->scene->group[g].motion != SCENE_MOVING;
+    comm_min(comm, &record->radius_min, 1);
+    comm_sum(comm, &record->mass, 1);
+}
+
+/* True if nothing comes or goes, and nothing moves by order. */
+static bool is_closed(const struct scene *scene, const struct box *box) {
+    bool closed = scene->insertions == 0 && scene->deletions == 0 && !box_may_lose(box);
+    for (int g = 0; g < scene->groups; g++)
+        closed = closed && scene->group[g].motion != SCENE_MOVING;
+    return closed;
 }
 
 /* Displaces each particle by an amount that does not depend on the number of ranks. */
-static void perturb(const struct sampler *sampler, struct simulation *s) {
-    for (size_t k = 0; k < s->particles->owned; k++) {
-        struct particle_state *p = &s->particles->state[k];
+static void perturb(const struct sampler *sampler, struct particles *particles, int dimension) {
+    for (size_t k = 0; k < particles->owned; k++) {
+        struct particle_state *p = &particles->state[k];
         struct random_sequence random =
-            random_sequence(sampler->seed, RANDOM_POSITION, (uint64_t)s->particles->id[k]);
-        for (int d = 0; d < s->box.dimension && p->inverse_mass > 0; d++)
+            random_sequence(sampler->seed, RANDOM_POSITION, (uint64_t)particles->id[k]);
+        for (int d = 0; d < dimension && p->inverse_mass > 0; d++)
             p->x[d] += (2 * random_uniform(&random) - 1) * sampler->perturbation * p->radius;
     }
 }
 
-static void places_take(struct sample_record *record, const struct simulation *s) {
-    const struct particles *p = s->particles;
+static void places_take(struct sample_record *record, const struct particles *p, const struct box *box,
+                        const struct comm *comm) {
     int32_t(*const image)[3] = particles_images(p);
     double(*place)[4] = memory_allocate_zero(record->tracked, sizeof *place, "samples");
     for (size_t k = 0; k < p->owned; k++) {
@@ -104,13 +108,13 @@ static void places_take(struct sample_record *record, const struct simulation *s
             continue;
         double shift[3] = {0, 0, 0};
         if (image)
-            box_unwrap(&s->box, image[k], shift);
+            box_unwrap(box, image[k], shift);
         for (int d = 0; d < 3; d++)
-            place[slot][d] = p->state[k].x[d] + s->box.origin[d] + shift[d];
+            place[slot][d] = p->state[k].x[d] + box->origin[d] + shift[d];
         place[slot][3] = 1;
     }
-    comm_sum(s->comm, place[0], (int)(4 * record->tracked));
-    for (size_t k = 0; k < record->tracked && s->comm->rank == 0; k++) {
+    comm_sum(comm, place[0], (int)(4 * record->tracked));
+    for (size_t k = 0; k < record->tracked && comm->rank == 0; k++) {
         size_t at = (size_t)record->samples * record->tracked + k;
         memcpy(record->position[at], place[k], sizeof *record->position);
         record->present[at] = (float)place[k][3];
@@ -130,19 +134,21 @@ static bool sampler_look(void *context, const struct simulation *s, struct error
            (size_t)(record->columns - record->own) * sizeof *row);
     record->speed_max = fmax(record->speed_max, row[sample_column(record, "speed_max", record->own)]);
     record->time[record->samples] = s->clock.time;
-    places_take(record, s);
+    places_take(record, s->particles, &s->box, s->comm);
     record->samples++;
     return true;
 }
 
 static bool sampler_begin(void *context, struct simulation *s, struct error *error) {
     struct sampler *sampler = context;
-    if (!columns_make(sampler, s, error))
+    const struct output_view view = simulation_view(s);
+    if (!columns_make(sampler, s->scene, &view, error))
         return false;
-    tracked_choose(sampler, s);
-    bulk_measure(sampler->record, s);
+    tracked_choose(sampler, s->sources.next_id, s->comm);
+    bulk_measure(sampler->record, s->particles, s->comm);
+    sampler->record->closed = is_closed(s->scene, &s->box);
     if (sampler->perturbation > 0)
-        perturb(sampler, s);
+        perturb(sampler, s->particles, s->box.dimension);
     s->sums_each_step = true;
     return sampler_look(context, s, error);
 }

@@ -25,11 +25,11 @@ void trial_step(struct simulation *s) {
 }
 
 /* Joins the observations of all ranks. Collective. */
-static void agree(const struct simulation *s, struct trial *trial, double began) {
+static void agree(const struct comm *comm, struct trial *trial, double began) {
     int64_t first[1] = {trial->touched ? -(int64_t)trial->contact_first : INT64_MIN};
     double seconds = timer_now() - began;
-    comm_max_int(s->comm, first, 1);
-    comm_max(s->comm, &seconds, 1);
+    comm_max_int(comm, first, 1);
+    comm_max(comm, &seconds, 1);
     trial->touched = first[0] != INT64_MIN;
     trial->contact_first = trial->touched ? (uint64_t)-first[0] : 0;
     trial->seconds = seconds;
@@ -51,7 +51,7 @@ static int steps_run(struct simulation *s, struct progress *progress, struct tri
     uint64_t rebuilds = s->search.skin->rebuilds;
     double began = timer_now();
     notice(s, rebuilds, trial);
-    agree(s, trial, began);
+    agree(s->comm, trial, began);
     while (s->clock.step < trial->last) {
         trial_step(s);
         trial->steps++;
@@ -66,11 +66,11 @@ static int steps_run(struct simulation *s, struct progress *progress, struct tri
         }
         if (trial->steps % LOOK_EVERY != 0)
             continue;
-        agree(s, trial, began);
+        agree(s->comm, trial, began);
         if (trial->rebuilt && trial->touched && trial->seconds > seconds_least)
             break;
     }
-    agree(s, trial, began);
+    agree(s->comm, trial, began);
     return 0;
 }
 
@@ -108,7 +108,7 @@ bool trial_run(const struct comm *comm, const struct scene *scene, struct trial 
     if (s == NULL)
         return false;
     run_signals_catch();
-    trial->last = run_last_step(s);
+    trial->last = run_last_step(s->scene, &s->stage, &s->clock);
     trial->particles = s->total;
     if (comm->rank != 0)
         options.mode = PROGRESS_OFF;

@@ -15,11 +15,12 @@ enum { BRUTE_PARTICLES_MAX = 20000 };
 /* The largest time step tried, as a part of the stable step. */
 #define VARIANT_STEP_MOST 0.95
 
-static void means_take(const struct simulation *s, struct variant_facts *facts) {
-    const uint8_t *material = material_numbers(s->particles);
+static void means_take(const struct particles *particles, const struct comm *comm,
+                       struct variant_facts *facts) {
+    const uint8_t *material = material_numbers(particles);
     double sum[LAW_MATERIALS_MAX][3] = {{0}};
-    for (size_t k = 0; k < s->particles->owned; k++) {
-        const struct particle_state *p = &s->particles->state[k];
+    for (size_t k = 0; k < particles->owned; k++) {
+        const struct particle_state *p = &particles->state[k];
         if (p->inverse_mass == 0)
             continue;
         double *of = sum[material_of(material, k)];
@@ -27,7 +28,7 @@ static void means_take(const struct simulation *s, struct variant_facts *facts) 
         of[1] += p->radius;
         of[2] += 1 / p->inverse_mass;
     }
-    comm_sum(s->comm, sum[0], 3 * LAW_MATERIALS_MAX);
+    comm_sum(comm, sum[0], 3 * LAW_MATERIALS_MAX);
     for (int m = 0; m < LAW_MATERIALS_MAX; m++) {
         facts->radius[m] = sum[m][0] > 0 ? sum[m][1] / sum[m][0] : INFINITY;
         facts->mass[m] = sum[m][0] > 0 ? sum[m][2] / sum[m][0] : INFINITY;
@@ -45,7 +46,7 @@ bool variant_probe(const struct comm *comm, const struct scene *scene, struct va
                                     .particles = s->total,
                                     .classes = s->classes.count,
                                     .materials = scene->materials};
-    means_take(s, facts);
+    means_take(s->particles, s->comm, facts);
     size_t entries = (size_t)scene->materials * (size_t)scene->materials;
     facts->coefficients = memory_allocate(entries, sizeof *facts->coefficients, "coefficients of contacts");
     memcpy(facts->coefficients, grains_of(&s->physics)->law.pair, entries * sizeof *facts->coefficients);

@@ -50,7 +50,7 @@ static double advance(const struct physics_context *context, int thread, size_t 
 static void move_walls(const struct physics_context *context) {
     struct grains *grains = context->self;
     const struct clock *clock = context->clock;
-    double before = clock->time_base + (double)(clock->step - 1 - clock->step_base) * clock->dt;
+    double before = clock_time(clock, clock->step - 1);
     walls_advance(grains->walls, before, clock->dt, walls_have_servo(grains->walls) ? grains->push : NULL);
 }
 
