@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* The force loop: the contact laws as a client of the walk over pairs. Read kernel/pairs/walk.h first. */
 #include "physics/grains/batch/force.h"
-#include "physics/grains/batch/force_general.h"
+#include "physics/grains/batch/force_kernel.h"
+#include "kernel/particles/material.h"
 #include "kernel/particles/spin.h"
 #include "base/memory.h"
 #include <assert.h>
@@ -45,8 +46,7 @@ static bool force_waits(const struct law *law) {
     return law->general && law_cohesion_form_of(law->options.cohesion)->remembers;
 }
 
-/* Drops contacts of particles that are fixed to each other or joined. */
-static void force_select(const struct walk_task *task, const struct walk_batch *batch, uint8_t *keep) {
+void force_walk_select(const struct walk_task *task, const struct walk_batch *batch, uint8_t *keep) {
     const struct force_context *context = task->work->context;
     for (int k = 0; k < batch->count; k++) {
         if (force_fixed(batch->record[k], task->work->gathers > 0 ? batch->gathered[0][k] : NULL))
@@ -60,7 +60,7 @@ struct force_loop *force_loop_create(int threads) {
     struct force_loop *loop = memory_allocate_zero(1, sizeof *loop, "force loop");
     loop->threads = threads;
     loop->client = (struct walk_client){
-        .name = "contact", .memory = sizeof(struct force_thread), .select = force_select};
+        .name = "contact", .memory = sizeof(struct force_thread), .select = force_walk_select};
     force_loop_take(loop, force_kernel_find(NULL));
     loop->walk = walk_create(&loop->client, threads);
     return loop;
@@ -87,8 +87,7 @@ bool force_loop_choose(struct force_loop *loop, const char *name) {
     return found != NULL;
 }
 
-/* An evaluation, as the walk sees it. */
-static struct walk_work force_work(const struct force_context *context) {
+struct walk_work force_walk_work(const struct force_context *context) {
     const struct particles *particles = context->particles;
     struct walk_work work = {.context = context,
                              .particles = particles,
@@ -118,22 +117,27 @@ static void force_loop_clear(struct force_loop *loop) {
         force_loop_thread(loop, t)->sums = (struct force_sums){0};
 }
 
+void force_thread_begin(struct force_thread *own, const struct force_kernel *kernel,
+                        const struct force_context *context, int thread) {
+    own->exact = context->exact ? &context->exact[thread] : NULL;
+    own->material = material_numbers(context->particles);
+    kernel->begin(&own->form, &own->batch, context->law, context->dt, context->want_sums);
+}
+
 void force_loop_prepare(struct force_loop *loop, const struct force_context *context) {
-    struct walk_work work = force_work(context);
+    struct walk_work work = force_walk_work(context);
     assert((context->history != NULL) == (context->law->history_components > 0));
     loop->client.scatter = !context->law->spin                                  ? WALK_FORCE
                            : law_case_of(&context->law->options, false).rolling ? WALK_ROLLING
                                                                                 : WALK_TORQUE;
-    loop->client.compute = context->law->general ? force_general_compute : loop->kernel->compute;
-    loop->client.note = context->law->general ? force_general_note : loop->kernel->note;
     walk_prepare(loop->walk, &work);
     force_loop_clear(loop);
 }
 
 void force_loop_block(struct force_loop *loop, const struct force_context *context, int thread, int block) {
-    struct walk_work work = force_work(context);
-    force_loop_thread(loop, thread)->exact = context->exact ? &context->exact[thread] : NULL;
-    loop->kernel->begin(force_loop_thread(loop, thread), context);
+    struct walk_work work = force_walk_work(context);
+    if (block == context->list->thread_block[thread])
+        force_thread_begin(force_loop_thread(loop, thread), loop->kernel, context, thread);
     walk_block(loop->walk, &work, thread, block);
 }
 
@@ -154,7 +158,7 @@ void force_sums_add(struct force_sums *total, const struct force_sums *part) {
 
 void force_loop_finish(struct force_loop *loop, const struct force_context *context,
                        struct force_sums *sums) {
-    struct walk_work work = force_work(context);
+    struct walk_work work = force_walk_work(context);
     walk_finish(loop->walk, &work);
     *sums = (struct force_sums){0};
     for (int t = 0; t < loop->threads; t++)
@@ -163,7 +167,7 @@ void force_loop_finish(struct force_loop *loop, const struct force_context *cont
 }
 
 void force_loop_abandon(struct force_loop *loop, const struct force_context *context) {
-    struct walk_work work = force_work(context);
+    struct walk_work work = force_walk_work(context);
     walk_abandon(loop->walk, &work);
     force_loop_clear(loop);
     if (context->exact)

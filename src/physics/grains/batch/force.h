@@ -118,8 +118,8 @@ void force_loop_abandon(struct force_loop *loop, const struct force_context *con
 /* Computes all blocks by all threads: the plain order. */
 void force_loop_run(struct force_loop *loop, const struct force_context *context, struct force_sums *sums);
 
-/* Evaluates the present contacts again without changing forces or history, and returns the contacts for
- * output. If two threads or ranks hold a pair, only the home of the pair gives the contact. Returns the
+/* Evaluates the present contacts again, springs at rest, without changing forces or present histories, and returns the
+ * contacts for output. Not while an evaluation is under way, whose new histories would be lost. If two threads or ranks hold a pair, only the home of the pair gives the contact. Returns the
  * number of contacts; `contacts` is allocated (memory_free). One thread. */
 size_t force_loop_contacts(const struct force_context *context, struct force_contact **contacts);
 

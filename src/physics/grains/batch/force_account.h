@@ -38,6 +38,16 @@ static inline double force_weighted(const struct force_batch *b, const double *r
     return sum;
 }
 
+/* force_add_virial without rounding, and the energy of the contact. */
+static inline void force_add_exact(struct force_exact *exact, double weight, double energy, const double d[3],
+                                   const double f[3]) {
+    double term[6] = {0};
+    force_add_virial(term, weight, d, f);
+    for (int c = 0; c < 6; c++)
+        exact_add(&exact->sum[c], term[c]);
+    exact_add(&exact->sum[6], weight * energy);
+}
+
 /* Energies of the batch, and if wanted the virial. */
 static inline void force_account(const struct force_context *context, struct force_thread *thread) {
     const struct force_batch *b = &thread->batch;
@@ -51,6 +61,14 @@ static inline void force_account(const struct force_context *context, struct for
         force_add_virial(sums->virial, weight[k], b->walk.record[k], b->walk.share[k]);
     for (int k = 0; context->want_virial && thread->exact && k < b->walk.count; k++)
         force_add_exact(thread->exact, weight[k], b->energy[0][k], b->walk.record[k], b->walk.share[k]);
+}
+
+/* Writes down the work of each contact of the batch. */
+static inline void force_put_work(const struct walk_task *task, const struct force_batch *b) {
+    const struct force_context *context = task->work->context;
+    for (int k = 0; k < b->walk.count; k++)
+        context->pair_work[task->pair_base + b->walk.pair[k]] =
+            (struct force_work){b->energy[2][k], b->energy[1][k]};
 }
 
 #endif

@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
-/* A batch of contacts through the law: coefficients, geometry, the law, sums (force_kernel.h). Compiled once
+/* The one computation of contacts: a batch through the law (force_kernel.h), and a batch of pairs before and after. Compiled once
  * for each instruction set, under the name that FORCE_KERNEL gives. Read kernel/pairs/walk.h first. */
 #include "physics/grains/batch/force_account.h"
+#include "physics/grains/batch/force_general.h"
 #include "physics/grains/batch/force_grip.h"
 #include "physics/grains/batch/force_kernel.h"
 #include "physics/grains/batch/force_physics.h"
@@ -9,59 +10,47 @@
 #include "physics/grains/laws/law_user.h"
 #include "kernel/particles/material.h"
 
+/* Fills what contact k takes of the materials p and q. */
+static inline void force_set_materials(const struct law *law, struct force_batch *b, int k, int p, int q) {
+    const struct law_extra *extra = law_extra_of(law, p, q);
+    force_set_coefficients(b, k, law_pair_of(law, p, q));
+    for (int n = 0; law->options.user && n < law->options.user->law->parameters; n++)
+        b->parameter[n][k] = extra->parameter[n];
+    if (!law->general)
+        return;
+    b->extra[k] = extra;
+    force_set_sticky(b, k, law->options.cohesion, law_sticky_at(law, p, q));
+    if (law->memory.past >= 0)
+        force_set_branch(b, k, extra);
+}
+
 /* True if all contacts of the batch are between the same two materials, in the same order. */
-static inline bool force_alike(const uint8_t *material, const struct walk_batch *restrict b) {
-    const int p = material_of(material, b->i[0]), q = material_of(material, b->j[0]);
-    const int middle = b->count / 2, last = b->count - 1;
-    if (material_of(material, b->i[middle]) != p || material_of(material, b->j[middle]) != q ||
-        material_of(material, b->i[last]) != p || material_of(material, b->j[last]) != q)
+static inline bool force_alike(const struct force_batch *restrict b) {
+    const uint8_t *p = b->material[0], *q = b->material[1];
+    const int middle = b->walk.count / 2, last = b->walk.count - 1;
+    if (p[middle] != p[0] || q[middle] != q[0] || p[last] != p[0] || q[last] != q[0])
         return false; /* mixed materials mostly end here */
     int other = 0;
-    for (int k = 0; k < b->padded; k++)
-        other |= (material_of(material, b->i[k]) ^ p) | (material_of(material, b->j[k]) ^ q);
+    for (int k = 0; k < b->walk.padded; k++)
+        other |= (p[k] ^ p[0]) | (q[k] ^ q[0]);
     return other == 0;
 }
 
 /* Coefficients of each contact, where they differ between materials; a batch whose contacts are all alike has those of
  * the batch before, if these were of the same materials. */
-static inline void force_mix(const struct law *law, struct force_thread *thread) {
-    const uint8_t *material = thread->material;
-    struct force_batch *b = &thread->batch;
-    const int p = material_of(material, b->walk.i[0]), q = material_of(material, b->walk.j[0]);
-    const int alike = force_alike(material, &b->walk) ? p * law->materials + q : FORCE_UNLIKE;
-    if (alike == FORCE_UNLIKE)
-        for (int k = 0; k < b->walk.padded; k++)
-            force_set_coefficients(
-                b, k,
-                law_pair_of(law, material_of(material, b->walk.i[k]), material_of(material, b->walk.j[k])));
-    else if (alike != thread->alike)
-        for (int k = 0; k < FORCE_BATCH; k++)
-            force_set_coefficients(b, k, law_pair_of(law, p, q));
-    thread->alike = alike;
+static inline void force_mix(const struct law *law, struct force_batch *b) {
+    const uint8_t *p = b->material[0], *q = b->material[1];
+    const int alike = force_alike(b) ? p[0] * law->materials + q[0] : FORCE_UNLIKE;
+    const int count = alike == FORCE_UNLIKE ? b->walk.padded : FORCE_BATCH;
+    for (int k = 0; k < count && (alike == FORCE_UNLIKE || alike != b->alike); k++)
+        force_set_materials(law, b, k, alike == FORCE_UNLIKE ? p[k] : p[0],
+                            alike == FORCE_UNLIKE ? q[k] : q[0]);
+    b->alike = alike;
 }
 
-/* What contact k of a law with parts takes of the materials p and q. */
-static inline void force_set_parts(const struct law *law, struct force_batch *b, int k, int p, int q) {
-    force_set_coefficients(b, k, law_pair_of(law, p, q));
-    force_set_sticky(b, k, law->options.cohesion, law_sticky_at(law, p, q));
-    b->extra[k] = law_extra_of(law, p, q);
-    if (law->memory.past >= 0)
-        force_set_branch(b, k, b->extra[k]);
-}
-
-static void force_mix_parts(const struct law *law, const uint8_t *material, struct force_batch *b) {
-    for (int k = 0; k < b->walk.padded; k++)
-        force_set_parts(law, b, k, material_of(material, b->walk.i[k]), material_of(material, b->walk.j[k]));
-}
-
-/* The same coefficients for all contacts of all batches. */
-static void force_mix_one(const struct law *law, struct force_batch *b) {
-    for (int k = 0; k < FORCE_BATCH; k++)
-        force_set_parts(law, b, k, 0, 0);
-}
-
-/* The springs of a law of the user's: its loop over the batch. */
-static void force_ask(const struct law_user *user, struct force_batch *b) {
+/* The push of a law of the user's: its file's loop over the batch, and the damper. */
+static void force_ask(const struct law *law, struct law_step step, struct force_batch *restrict b) {
+    const bool given = law_damping_form_of(law->options.damping)->given;
     struct scree_law_batch batch = {.count = b->walk.padded,
                                     .overlap = b->overlap,
                                     .radius = b->effective,
@@ -74,89 +63,91 @@ static void force_ask(const struct law_user *user, struct force_batch *b) {
                                     .energy = b->springs[4]};
     for (int p = 0; p < LAW_PARAMETERS_MAX; p++)
         batch.parameter[p] = b->parameter[p];
-    user->law->batch(&batch);
+    law->options.user->law->batch(&batch);
+#pragma omp simd
+    for (int k = 0; k < batch.count; k++)
+        force_damp(given, b, k, step);
 }
 
-/* Its parameters of contact k. */
-static void force_parameters(const struct law_user *user, struct force_batch *b, int k,
-                             const struct law_extra *extra) {
-    for (int p = 0; p < user->law->parameters; p++)
-        b->parameter[p][k] = extra->parameter[p];
+/* The push of a law; NULL: its loop has all. */
+static force_pusher *force_push_find(const struct law *law, bool energies) {
+    if (law->general) {
+        force_pusher *grip = energies ? NULL : force_grip_find(&law->options);
+        return !law->rubs ? force_general_respond : grip ? grip : force_general_push;
+    }
+    return law->options.user ? force_ask : NULL;
 }
 
-static void force_begin(struct force_thread *thread, const struct force_context *context) {
-    const struct law_options *options = &context->law->options;
-    thread->step = law_step_of(options, context->dt);
-    thread->energies = context->want_sums;
-    thread->kernel = &FORCE_KERNEL;
-    thread->rubs = !context->want_sums && law_general_rubs(context->law);
-    thread->material = material_numbers(context->particles);
-    thread->alike = FORCE_UNLIKE;
-    thread->grip = thread->rubs ? force_grip_find(options) : NULL;
-    thread->measure = force_measure_find(options);
-    if (context->law->uniform)
-        force_mix_one(context->law, &thread->batch);
-    if (context->law->general)
-        return;
-    thread->respond = force_respond_find(options, context->want_sums);
-    for (int k = 0; options->user && k < FORCE_BATCH; k++)
-        force_parameters(options->user, &thread->batch, k, law_extra_of(context->law, 0, 0));
+static void force_begin(struct force_form *form, struct force_batch *b, const struct law *law, double dt,
+                        bool energies) {
+    *form = (struct force_form){.law = law,
+                                .step = law_step_of(&law->options, dt),
+                                .measure = force_measure_find(&law->options),
+                                .push = force_push_find(law, energies)};
+    form->step.energies = energies;
+    if (form->push != force_general_respond)
+        form->respond = force_respond_find(&law->options, energies, form->push != NULL);
+    memset(b->active, true, sizeof b->active);
+    b->alike = FORCE_UNLIKE;
+    for (int k = 0; law->uniform && k < FORCE_BATCH; k++)
+        force_set_materials(law, b, k, 0, 0);
+}
+
+static void force_contacts(const struct force_form *form, struct force_batch *b) {
+    const struct law *law = form->law;
+    if (!law->uniform)
+        force_mix(law, b);
+    if (form->push)
+        form->push(law, form->step, b);
+    for (int k = 0; law->general && k < b->walk.padded; k++)
+        b->active[k] = b->springs[5][k] > 0.0;
+    if (form->respond)
+        form->respond(b, form->step);
+}
+
+/* LAMMPS's slip of pair_style granular: the radii are the levers. */
+static void force_slip_lammps(struct force_batch *b, int k) {
+    struct law_vector wi = force_vector(b->omega[0], k), wj = force_vector(b->omega[1], k);
+    force_set(b->surface, k, law_add(law_scale(b->walk.radius[0][k], wi), b->walk.radius[1][k], wj));
 }
 
 static void force_compute(const struct walk_task *task, struct walk_batch *batch) {
-    const struct force_context *context = task->work->context;
     struct force_thread *thread = (struct force_thread *)batch;
-    if (!context->law->uniform)
-        force_mix(context->law, thread);
-    thread->measure(&thread->batch, thread->step);
-    const struct law_user *user = context->law->options.user;
-    for (int k = 0; user && !context->law->uniform && k < batch->padded; k++)
-        force_parameters(user, &thread->batch, k,
-                         law_extra_of(context->law, material_of(thread->material, batch->i[k]),
-                                      material_of(thread->material, batch->j[k])));
-    if (user)
-        force_ask(user, &thread->batch);
-    thread->respond(&thread->batch, thread->step);
-}
-
-static void force_add(const struct force_context *context, struct force_thread *thread) {
-    force_watch(context->particles, &thread->batch, &thread->sums);
-    if (thread->energies)
-        force_account(context, thread);
+    struct force_batch *b = &thread->batch;
+    const struct law *law = thread->form.law;
+    for (int k = 0; !law->uniform && k < batch->padded; k++) {
+        b->material[0][k] = (uint8_t)material_of(thread->material, batch->i[k]);
+        b->material[1][k] = (uint8_t)material_of(thread->material, batch->j[k]);
+    }
+    (void)task;
+    thread->form.measure(b, thread->form.step);
+    for (int k = 0; law->options.lammps_granular && law->spin && k < batch->padded; k++)
+        force_slip_lammps(b, k);
+    force_contacts(&thread->form, b);
 }
 
 static void force_note(const struct walk_task *task, struct walk_batch *batch) {
     const struct force_context *context = task->work->context;
     struct force_thread *thread = (struct force_thread *)batch;
-    thread->sums.contact_sides += 2 * (size_t)batch->count - (size_t)(batch->one - batch->both);
+    const bool *active = thread->batch.active;
+    unsigned sides = 0;
+#pragma omp simd reduction(+ : sides)
+    for (int k = 0; k < batch->count; k++)
+        sides += active[k] ? 2u : 0u;
+#pragma omp simd reduction(+ : sides)
+    for (int k = batch->both; k < batch->one; k++)
+        sides -= active[k] ? 1u : 0u;
+    thread->sums.contact_sides += sides;
     force_watch(context->particles, &thread->batch, &thread->sums);
-    if (thread->energies)
-        force_account(context, thread);
-    if (thread->energies && context->pair_work)
+    if (!context->want_sums)
+        return;
+    force_account(context, thread);
+    if (context->pair_work)
         force_put_work(task, &thread->batch);
-}
-
-static void force_answer(const struct law_options *options, bool energies, struct force_batch *batch,
-                         struct law_step step) {
-    batch->walk.padded = (batch->walk.count + FORCE_LANES - 1) / FORCE_LANES * FORCE_LANES;
-    for (int k = 0; options->user && k < batch->walk.count; k++)
-        force_parameters(options->user, batch, k, batch->extra[k]);
-    if (options->user)
-        force_ask(options->user, batch);
-    force_respond_find(options, energies)(batch, step);
-}
-
-static void force_rub_batch(const struct law_options *options, struct force_batch *batch,
-                            struct law_step step) {
-    force_rub_find(options)(batch, step);
 }
 
 const struct force_kernel FORCE_KERNEL = {.name = FORCE_KERNEL_NAME,
                                           .begin = force_begin,
+                                          .contacts = force_contacts,
                                           .compute = force_compute,
-                                          .note = force_note,
-                                          .account = force_add,
-                                          .mix = force_mix_parts,
-                                          .grip_find = force_grip_find,
-                                          .rub = force_rub_batch,
-                                          .respond = force_answer};
+                                          .note = force_note};

@@ -110,7 +110,9 @@ LAW_INLINE void force_grip_all(enum law_normal normal, enum law_cohesion cohesio
     ROW(LUDING, luding, COHESION, cohesion)
 
 #define FORCE_GRIP_LOOP(NAME, name, COHESION, cohesion)                                                      \
-    static void force_grip_##name##_##cohesion(const struct law *law, struct force_batch *b) {               \
+    static void force_grip_##name##_##cohesion(const struct law *law, struct law_step step,                  \
+                                               struct force_batch *b) {                                      \
+        (void)step;                                                                                          \
         force_grip_all(LAW_##NAME, LAW_COHESION_##COHESION, law, b);                                         \
     }
 #define FORCE_GRIP_LOOPS(NAME, name, with, summary) FORCE_GRIP_LAWS(FORCE_GRIP_LOOP, NAME, name)
@@ -126,8 +128,8 @@ LAW_ADHESION_TABLE(FORCE_GRIP_ADHESION)
 #define FORCE_GRIP_PLACES(NAME, name, with, summary) FORCE_GRIP_LAWS(FORCE_GRIP_PLACE, NAME, name)
 
 /* The loop of a law; NULL: its contacts go one after another. */
-static inline force_gripper *force_grip_find(const struct law_options *options) {
-    static force_gripper *const table[LAW_COUNT][LAW_COHESION_COUNT] = {FORCE_GRIP_PLACES(
+static inline force_pusher *force_grip_find(const struct law_options *options) {
+    static force_pusher *const table[LAW_COUNT][LAW_COHESION_COUNT] = {FORCE_GRIP_PLACES(
         NONE, none, , ) LAW_PULL_TABLE(FORCE_GRIP_PLACES) LAW_ADHESION_TABLE(FORCE_GRIP_ADHESION_PLACE)};
     return options->user ? NULL : table[options->normal][options->cohesion];
 }

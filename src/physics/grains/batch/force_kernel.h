@@ -1,15 +1,19 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
-/* Private parts of the force loop: the contact laws as a client of the walk over pairs (kernel/pairs/walk.h), a
- * batch of contacts at a time. The walls use batches and `respond` for their contacts (walls_force.c). Apart
- * from these, only tests include this header.
+/* The batch of contacts: every contact of a step and of an output goes through the law in one, by one function. Only the
+ * batches, the walls and tests include this header.
+ *
+ * Three fill a batch: the walk over pairs (force.c), the walls (walls_force.c), and the list of contacts for output, which is a
+ * walk, too (force_contacts.c). `contacts` of struct force_kernel then computes it in three parts:
+ *
+ *   mix      coefficients of the two materials, where materials differ
+ *   push     what the loop of the law has not: springs of a file of the user's; the normal direction of a law with parts, in a
+ *            vectorised loop or one contact after another; or all of a law whose resistances have no loop
+ *   respond  the loop of the law: law_respond, or behind a push law_rub
+ *
+ * What needs the geometry of two spheres has `measure` before: records are turned into columns, then a vectorised loop.
  *
  * force_block.c is compiled for several instruction sets, as the walk is. All compiled versions give the same
- * bits. `compute` in force_block.c has two phases:
- *
- *   measure  records are turned into columns; a vectorised loop, specialised for the law: geometry
- *   respond  another: law_respond
- *
- * Distances are formed as (x_j - x_i) + shift, so that a pair and its mirror have exactly opposite distances;
+ * bits. Distances are formed as (x_j - x_i) + shift, so that a pair and its mirror have exactly opposite distances;
  * the law keeps this symmetry. */
 #ifndef SCREE_BATCH_FORCE_KERNEL_H
 #define SCREE_BATCH_FORCE_KERNEL_H
@@ -28,11 +32,15 @@ enum { LAW_COEFFICIENT_TABLE(FORCE_COLUMN) FORCE_COEFFICIENTS };
 /* Places of the law's results in `out` of the walk's batch: components x y z each. */
 enum { FORCE_OUT = 0, FORCE_MOMENT = 3, FORCE_ROLLING = 6 };
 
+enum { FORCE_UNLIKE = -1 };
+
 /* Contacts that pass through the law. Entry k of each array belongs to contact k; the loops run to the next
- * multiple of FORCE_LANES. walk.history: the springs, tangential (0..2) and rolling (3..5). walk.out: the
- * force on j, the torque per lever, the rolling torque on j. walk.gathered[0]: omega_i 0 omega_j 0. */
+ * multiple of FORCE_LANES. walk.history: the springs, tangential (0..2) and rolling (3..5), and what a law with parts remembers
+ * beside. walk.out: the force on j, the torque per lever, the rolling torque on j. walk.gathered[0]: omega_i 0 omega_j 0. */
 struct force_batch {
     struct walk_batch walk;
+    uint8_t material[2][FORCE_BATCH]; /* of i and j; only where the law is not uniform */
+    int alike; /* the materials for which all coefficients stand here, as one number; FORCE_UNLIKE: they differ */
     double coefficient[FORCE_COEFFICIENTS][FORCE_BATCH]; /* the members of struct law_coefficients */
     double overlap[FORCE_BATCH]; /* from here on: the members of struct law_contact, by component */
     double mass[FORCE_BATCH];
@@ -43,21 +51,39 @@ struct force_batch {
     double surface[3][FORCE_BATCH];
     double spin[3][FORCE_BATCH];
     double omega[2][3][FORCE_BATCH]; /* of i, of j, 1/time */
-    /* Of a law of the user's: force, stiffness, tangential, contact, energy. Of a law with parts that rubs: force with the
-     * damper, the damper's base, tangential, press (law_general.h), 1 where the surfaces touch, 1 where they interact. */
+    /* What a push gives: force with the damper, the damper's base, tangential, press (law_general.h), 1 where the surfaces
+     * touch, 1 where they interact. Before, those of a file of the user's: force, stiffness, tangential, contact, energy. */
     double springs[6][FORCE_BATCH];
     double sticky[LAW_STICKY][FORCE_BATCH]; /* of a law with parts: the members of the cohesion's struct */
     double branch[LAW_BRANCH_COUNT][FORCE_BATCH];      /* of a law with branches: LAW_BRANCH_NUMBERS */
-    double parameter[LAW_PARAMETERS_MAX][FORCE_BATCH]; /* its input */
+    double parameter[LAW_PARAMETERS_MAX][FORCE_BATCH]; /* of a law of the user's */
     double energy[3][FORCE_BATCH];                     /* normal, springs, work taken; if asked for */
-    /* Of a law with parts or of the user's: coefficients of the parts; contact k interacts. */
-    const struct law_extra *extra[FORCE_BATCH];
-    bool active[FORCE_BATCH];
+    const struct law_extra *extra[FORCE_BATCH];        /* of a law with parts */
+    bool active[FORCE_BATCH];                          /* contact k interacts */
 };
 
+static inline struct law_vector force_vector(double a[3][FORCE_BATCH], int k) {
+    return (struct law_vector){a[0][k], a[1][k], a[2][k]};
+}
+
+static inline void force_set(double a[3][FORCE_BATCH], int k, struct law_vector v) {
+    a[0][k] = v.x;
+    a[1][k] = v.y;
+    a[2][k] = v.z;
+}
+
 typedef void force_physics(struct force_batch *batch, struct law_step step);
-/* The normal direction of a law that rubs, without energies: fills `springs`, `effective`, and what contacts remember of it. */
-typedef void force_gripper(const struct law *law, struct force_batch *batch);
+/* Fills `springs`, what contacts remember of the normal direction, and with step.energies the energies of it. */
+typedef void force_pusher(const struct law *law, struct law_step step, struct force_batch *batch);
+
+/* How the contacts of one evaluation are computed. */
+struct force_form {
+    const struct law *law;
+    struct law_step step;
+    force_physics *measure; /* geometry of two spheres, for pairs */
+    force_pusher *push;     /* NULL: the loop of the law has all */
+    force_physics *respond; /* NULL: `push` has done all */
+};
 
 /* Writes the coefficients of contact k into a batch, and reads them. */
 static inline void force_set_coefficients(struct force_batch *restrict b, int k,
@@ -100,64 +126,40 @@ static inline void force_set_branch(struct force_batch *restrict b, int k, const
     }
 LAW_COHESION_PARTS(FORCE_STICKY_OF)
 
-/* force_add_virial without rounding, and the energy of the contact. */
-static inline void force_add_exact(struct force_exact *exact, double weight, double energy, const double d[3],
-                                   const double f[3]) {
-    double term[6] = {0};
-    force_add_virial(term, weight, d, f);
-    for (int c = 0; c < 6; c++)
-        exact_add(&exact->sum[c], term[c]);
-    exact_add(&exact->sum[6], weight * energy);
-}
-
-/* Writes down the work of each contact of the batch. */
-static inline void force_put_work(const struct walk_task *task, const struct force_batch *b) {
-    const struct force_context *context = task->work->context;
-    for (int k = 0; k < b->walk.count; k++)
-        context->pair_work[task->pair_base + b->walk.pair[k]] =
-            (struct force_work){b->energy[2][k], b->energy[1][k]};
-}
-
 /* Adds a thread's sums to the total; largest overlaps are compared. */
 void force_sums_add(struct force_sums *total, const struct force_sums *part);
-
-enum { FORCE_UNLIKE = -1 };
 
 /* A thread's batch, with data for the law and the sums. */
 struct force_thread {
     struct force_batch batch;
+    struct force_form form;
     struct force_sums sums;
     struct force_exact *exact; /* of this thread; NULL: not wanted */
-    struct law_step step;
-    const struct force_kernel *kernel; /* of the loop, of a law with parts */
-    bool rubs;                         /* such a law goes through force_general_rub */
-    force_gripper *grip;               /* the loop of such a law; NULL: one contact after another */
-    bool energies;
-    const uint8_t *material; /* NULL if all particles are of one material */
-    int alike; /* the materials of all contacts of the batch before, as one number; FORCE_UNLIKE: they differ */
-    force_physics *measure, *respond; /* the loops of this law */
+    const uint8_t *material;   /* NULL if all particles are of one material */
 };
 
 struct force_kernel {
     const char *name; /* the instruction set */
-    /* Called before a thread's blocks: chooses the thread's loops. */
-    void (*begin)(struct force_thread *thread, const struct force_context *context);
-    void (*compute)(const struct walk_task *task,
-                    struct walk_batch *batch); /* the client's part of a batch */
+    /* Chooses the loops of an evaluation with the time step dt, and prepares the batch for it. Before a thread's first batch. */
+    void (*begin)(struct force_form *form, struct force_batch *batch, const struct law *law, double dt,
+                  bool energies);
+    /* The one computation of contacts: those of a batch whose material, radii (walk.radius, of a law with parts), overlap ... spin and
+     * history are filled in; of walk.count contacts. Fills out, history, `active`, and if asked for `energy`. */
+    void (*contacts)(const struct force_form *form, struct force_batch *batch);
+    /* The parts of the walk's client that has a struct force_thread: contacts of pairs, and their sums. */
+    void (*compute)(const struct walk_task *task, struct walk_batch *batch);
     void (*note)(const struct walk_task *task, struct walk_batch *batch);
-    /* The sums of a batch besides the number of contacts. */
-    void (*account)(const struct force_context *context, struct force_thread *thread);
-    /* Coefficients of each contact of a law with parts, where they differ between materials. */
-    void (*mix)(const struct law *law, const uint8_t *material, struct force_batch *batch);
-    /* The loop of the normal direction of a law that rubs; NULL: its contacts go one after another. */
-    force_gripper *(*grip_find)(const struct law_options *options);
-    /* Sliding and rolling of a law that rubs (law_general.h), after its normal direction: fills force ... rolling, and the springs. */
-    void (*rub)(const struct law_options *options, struct force_batch *batch, struct law_step step);
-    /* The law alone over the first `count` contacts of a batch whose overlap ... spring are filled in, for
-     * contacts that are no pairs: fills force ... energy. */
-    void (*respond)(const struct law_options *options, bool energies, struct force_batch *batch,
-                    struct law_step step);
 };
+
+/* An evaluation, as the walk sees it. */
+struct walk_work force_walk_work(const struct force_context *context);
+
+/* The `select` of a client of contacts: drops those of particles that are fixed to each other or joined. */
+void force_walk_select(const struct walk_task *task, const struct walk_batch *batch, uint8_t *keep);
+
+/* Prepares a thread for an evaluation, before its first block. */
+void force_thread_begin(struct force_thread *own, const struct force_kernel *kernel,
+                        const struct force_context *context, int thread);
 
 /* The kernel of that name, or with NULL the best one; NULL if there is none or this CPU cannot run it. */
 const struct force_kernel *force_kernel_find(const char *name);

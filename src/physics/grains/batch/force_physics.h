@@ -12,16 +12,6 @@ LAW_INLINE double force_ratio(double x, double y) {
     return y > 0.0 ? x / y : 0.0;
 }
 
-LAW_INLINE struct law_vector force_vector(double a[3][FORCE_BATCH], int k) {
-    return (struct law_vector){a[0][k], a[1][k], a[2][k]};
-}
-
-LAW_INLINE void force_set(double a[3][FORCE_BATCH], int k, struct law_vector v) {
-    a[0][k] = v.x;
-    a[1][k] = v.y;
-    a[2][k] = v.z;
-}
-
 /* Turns the halves [from, from + 4) of four contacts' records into columns: the entries k ... k + 3 of x, y, z and w. */
 LAW_INLINE void force_columns(const double (*record)[8], int from, double column[3][FORCE_BATCH],
                               double *restrict fourth, int k) {
@@ -83,12 +73,6 @@ LAW_INLINE void force_respond(struct law_case law, struct force_batch *b, int k,
                              .velocity = force_vector(b->velocity, k),
                              .coefficients = force_coefficients_of(b, k),
                              .radius = b->effective[k]};
-    if (law.users)
-        in.springs = (struct law_springs){.force = b->springs[0][k],
-                                          .stiffness = b->springs[1][k],
-                                          .tangential = b->springs[2][k],
-                                          .contact = b->springs[3][k],
-                                          .energy = b->springs[4][k]};
     if (law.friction) {
         in.surface = force_vector(b->surface, k);
         in.spring = force_vector(b->walk.history, k);
@@ -116,11 +100,11 @@ LAW_INLINE void force_respond(struct law_case law, struct force_batch *b, int k,
     force_set(b->walk.history + 3, k, out.roll);
 }
 
-LAW_INLINE struct law_vector force_select(bool chosen, struct law_vector v) {
+LAW_INLINE struct law_vector force_where(bool chosen, struct law_vector v) {
     return (struct law_vector){chosen ? v.x : 0.0, chosen ? v.y : 0.0, chosen ? v.z : 0.0};
 }
 
-/* Sliding and rolling of a law with parts, whose normal direction is in `springs`. */
+/* Second loop of a law whose normal direction is in `springs`: sliding and rolling. */
 LAW_INLINE void force_rub(struct law_case law, struct force_batch *b, int k, struct law_step step) {
     struct law_contact in = {.normal = force_vector(b->normal, k),
                              .velocity = force_vector(b->velocity, k),
@@ -128,7 +112,7 @@ LAW_INLINE void force_rub(struct law_case law, struct force_batch *b, int k, str
                              .radius = b->effective[k]};
     struct law_vector push = law_scale(b->springs[0][k], in.normal);
     bool touches = b->springs[4][k] > 0.0;
-    struct law_response out = {0};
+    struct law_response out = {.taken = law.energies ? b->energy[2][k] : 0.0};
     if (!law.friction) {
         force_set(b->walk.out + FORCE_OUT, k, push);
         return;
@@ -142,13 +126,33 @@ LAW_INLINE void force_rub(struct law_case law, struct force_batch *b, int k, str
         in.roll = force_vector(b->walk.history + 3, k);
     }
     law_rub(law, step, &in, b->springs[3][k], b->springs[2][k], b->springs[1][k], &out);
-    force_set(b->walk.out + FORCE_OUT, k, law_add(push, 1.0, force_select(touches, out.force)));
-    force_set(b->walk.out + FORCE_MOMENT, k, force_select(touches, out.moment));
-    force_set(b->walk.history, k, force_select(touches, out.spring));
+    force_set(b->walk.out + FORCE_OUT, k, law_add(push, 1.0, force_where(touches, out.force)));
+    force_set(b->walk.out + FORCE_MOMENT, k, force_where(touches, out.moment));
+    force_set(b->walk.history, k, force_where(touches, out.spring));
+    if (law.energies) {
+        b->energy[1][k] = touches ? out.spring_energy : 0.0;
+        b->energy[2][k] = touches ? out.taken : b->energy[2][k];
+    }
     if (!law.rolling)
         return;
-    force_set(b->walk.out + FORCE_ROLLING, k, force_select(touches, out.rolling));
-    force_set(b->walk.history + 3, k, force_select(touches, out.roll));
+    force_set(b->walk.out + FORCE_ROLLING, k, force_where(touches, out.rolling));
+    force_set(b->walk.history + 3, k, force_where(touches, out.roll));
+}
+
+/* The normal direction of a law of the user's, whose springs are there: damper and energies, as law_respond has them. */
+LAW_INLINE void force_damp(bool given, struct force_batch *b, int k, struct law_step step) {
+    double elastic = b->springs[0][k], root = sqrt(b->mass[k] * b->springs[1][k]);
+    double base = given ? b->mass[k] * b->springs[3][k] : root;
+    double rate = law_dot(force_vector(b->velocity, k), force_vector(b->normal, k));
+    double force = elastic - b->coefficient[FORCE_c_n][k] * base * rate;
+    force = force <= step.force_least ? step.force_least : force;
+    b->energy[0][k] = b->springs[4][k];
+    b->energy[1][k] = 0.0;
+    b->energy[2][k] = (elastic - force) * rate * step.dt;
+    b->springs[0][k] = force;
+    b->springs[1][k] = base;
+    b->springs[3][k] = force;
+    b->springs[4][k] = 1.0;
 }
 
 /* Two loops instead of one: in a single, long loop a processor could not begin a contact before all roots and
@@ -188,8 +192,8 @@ LAW_INLINE void force_respond_all(struct law_case law, struct force_batch *restr
     }
 }
 
-/* The specialisations: force_measure_table[radius and lever][friction] for the geometry, and
- * force_respond_table[law][damper][energies][friction] for the laws of the table. */
+/* The specialisations: force_measure_table[radius and lever][friction] for the geometry, force_respond_table[law][damper]
+ * [energies][friction] for the laws of the table, and force_rub_table[energies][friction] behind a push. */
 #define FORCE_PHYSICS(phase, name, ...)                                                                      \
     static void name(struct force_batch *b, struct law_step step) {                                          \
         phase((struct law_case){__VA_ARGS__}, b, step);                                                      \
@@ -215,10 +219,9 @@ FORCE_PHYSICS_FAMILY(force_measure_all, force_measure_both, .radius = true, .lev
     FORCE_PHYSICS_FAMILY(force_respond_all, force_##name##_given_energies, __VA_ARGS__,                      \
                          .damping_given = true, .energies = true)
 #define FORCE_LAW(NAME, name, traits, summary) FORCE_LAW_CASES(name, .normal = LAW_##NAME)
-#define FORCE_LAW_GIVEN(NAME, name, traits, summary)                                                         \
-    FORCE_LAW_CASES(name, .normal = LAW_##NAME, .users = true)
 LAW_BUILT_TABLE(FORCE_LAW)
-LAW_GIVEN_TABLE(FORCE_LAW_GIVEN)
+FORCE_PHYSICS_FAMILY(force_rub_all, force_rub, .radius = true)
+FORCE_PHYSICS_FAMILY(force_rub_all, force_rub_energies, .radius = true, .energies = true)
 
 static force_physics *const force_measure_table[2][2][5] = {
     {FORCE_PHYSICS_ROW(force_measure_plain), FORCE_PHYSICS_ROW(force_measure_lever)},
@@ -226,7 +229,9 @@ static force_physics *const force_measure_table[2][2][5] = {
 #define FORCE_LAW_ROW(NAME, name, traits, summary)                                                           \
     {{FORCE_PHYSICS_ROW(force_##name), FORCE_PHYSICS_ROW(force_##name##_energies)},                          \
      {FORCE_PHYSICS_ROW(force_##name##_given), FORCE_PHYSICS_ROW(force_##name##_given_energies)}},
-static force_physics *const force_respond_table[LAW_COUNT][2][2][5] = {LAW_ELASTIC_TABLE(FORCE_LAW_ROW)};
+static force_physics *const force_respond_table[LAW_COUNT][2][2][5] = {LAW_BUILT_TABLE(FORCE_LAW_ROW)};
+static force_physics *const force_rub_table[2][5] = {FORCE_PHYSICS_ROW(force_rub),
+                                                     FORCE_PHYSICS_ROW(force_rub_energies)};
 
 static inline int force_friction_of(struct law_case law) {
     return !law.friction ? 0 : 1 + 2 * law.rolling + law.synchronised;
@@ -237,16 +242,11 @@ static inline force_physics *force_measure_find(const struct law_options *option
     return force_measure_table[law.radius][law.lever_radius][force_friction_of(law)];
 }
 
-FORCE_PHYSICS_FAMILY(force_rub_all, force_rub, .radius = true)
-
-static inline force_physics *force_rub_find(const struct law_options *options) {
-    static force_physics *const table[5] = FORCE_PHYSICS_ROW(force_rub);
-    return table[force_friction_of(law_case_of(options, false))];
-}
-
-static inline force_physics *force_respond_find(const struct law_options *options, bool energies) {
+static inline force_physics *force_respond_find(const struct law_options *options, bool energies, bool push) {
     struct law_case law = law_case_of(options, energies);
-    return force_respond_table[law.normal][law.damping_given][energies][force_friction_of(law)];
+    int friction = force_friction_of(law);
+    return push ? force_rub_table[energies][friction]
+                : force_respond_table[law.normal][law.damping_given][energies][friction];
 }
 
 #endif

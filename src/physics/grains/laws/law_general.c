@@ -4,16 +4,6 @@
 #include "physics/grains/laws/law_resist.h"
 #include <string.h>
 
-struct law_step law_general_step(const struct law_options *options, double dt) {
-    struct law_step step = law_step_of(options, dt);
-    step.energies = true;
-    if (!options->lammps_granular)
-        return step;
-    step.spring_least = 0.0;
-    step.relaxation = 0.0;
-    return step;
-}
-
 /* Energy lost as a bridge or an adhesive contact forms: at touch its energy jumps from 0 to that of the pull. A contact that
  * has no record, and overlapped one step ago, was there at the start of the run. */
 static double forming_loss(const struct law *law, const struct law_surfaces *surfaces, double overlap,
@@ -33,17 +23,6 @@ static double grip_loss(const struct law *law, const struct law_surfaces *surfac
         return 0.0;
     struct law_grip before = law_grip_at(&law->options, surfaces, overlap - growth, &past);
     return 0.5 * (now->force + before.force) * growth - (now->energy - before.energy);
-}
-
-bool law_general_rubs(const struct law *law) {
-    const struct law_options *o = &law->options;
-    bool plain = law->general && o->tangential <= LAW_TANGENTIAL_HISTORY &&
-                 law_rolling_form_of(o->rolling)->plain && o->twisting == LAW_TWISTING_NONE &&
-                 !o->lammps_granular && law->memory.slides < 0;
-    for (int a = 0; a < law->materials; a++)
-        for (int b = 0; b <= a; b++)
-            plain = plain && !law_rolling_general(o->rolling, law_extra_of(law, a, b));
-    return plain;
 }
 
 static void past_put(const struct law *law, const struct law_past *past, double *value) {
@@ -71,15 +50,17 @@ bool law_general_push(const struct law *law, struct law_step step, struct law_ge
     past_put(law, &past, in->value);
     *push = law_push_of(law_manner_of(options, options->cohesion), &grip, contact->coefficients.c_n,
                         contact->mass, law_dot(contact->velocity, contact->normal));
-    push->before = before;
+    if (step.energies) {
+        double rate = law_dot(contact->velocity, contact->normal);
+        push->taken = (grip.force - push->force) * rate * step.dt +
+                      grip_loss(law, &surfaces, &grip, contact->overlap, -rate * step.dt, before);
+    }
     return true;
 }
 
 bool law_general_respond(const struct law *law, struct law_step step, struct law_general *in,
                          struct law_response *out) {
     const struct law_contact *contact = &in->contact;
-    struct law_surfaces surfaces = {
-        &contact->coefficients, in->extra, {in->radius[0], in->radius[1]}, contact->radius};
     struct law_push push;
     *out = (struct law_response){0};
     if (!law_general_push(law, step, in, &push))
@@ -87,9 +68,7 @@ bool law_general_respond(const struct law *law, struct law_step step, struct law
     out->force = law_scale(push.force, contact->normal);
     if (step.energies) {
         out->normal_energy = push.grip.energy;
-        out->taken =
-            (push.grip.force - push.force) * push.rate * step.dt +
-            grip_loss(law, &surfaces, &push.grip, contact->overlap, -push.rate * step.dt, push.before);
+        out->taken = push.taken;
     }
     if (law->spin)
         law_resist(law, step, in, &(struct law_hold){&push.grip, push.press, push.base}, out);

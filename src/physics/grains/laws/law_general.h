@@ -10,11 +10,10 @@
 /* The normal direction of a contact. */
 struct law_push {
     struct law_grip grip;
-    struct law_past before; /* what the contact remembered */
-    double force;           /* normal, with the damper */
-    double base;            /* the damper's coefficient over c_n */
-    double press;           /* the force that limits of friction are multiples of */
-    double rate;            /* velocity along the normal */
+    double force; /* normal, with the damper */
+    double base;  /* the damper's coefficient over c_n */
+    double press; /* the force that limits of friction are multiples of */
+    double taken; /* work taken in this step, by the damper and by plastic flow; if energies are asked for */
 };
 
 /* What the push takes of the options. */
@@ -43,10 +42,10 @@ LAW_INLINE double law_damper_base(struct law_manner manner, const struct law_gri
     return grip->touches ? base : 0.0;
 }
 
-/* The normal direction with its damper; without branches. `before` is left empty. */
+/* The normal direction with its damper; without branches. `taken` is left empty. */
 LAW_INLINE struct law_push law_push_of(struct law_manner manner, const struct law_grip *grip, double c_n,
                                        double mass, double rate) {
-    struct law_push push = {.grip = *grip, .rate = rate, .base = law_damper_base(manner, grip, mass)};
+    struct law_push push = {.grip = *grip, .base = law_damper_base(manner, grip, mass)};
     double damped = grip->force - c_n * push.base * rate;
     push.force = manner.least && damped < grip->least ? grip->least : damped;
     push.press = fabs((manner.fixed ? grip->force : push.force) + grip->press);
@@ -57,15 +56,9 @@ LAW_INLINE struct law_push law_push_of(struct law_manner manner, const struct la
 bool law_general_push(const struct law *law, struct law_step step, struct law_general *in,
                       struct law_push *push);
 
-/* True if a law with parts slides and rolls as a law without: no other parts than those of the normal direction. */
-bool law_general_rubs(const struct law *law);
-
 /* Forces and torques of the contact; false if the surfaces do not interact: then all results and `value` are 0. */
 bool law_general_respond(const struct law *law, struct law_step step, struct law_general *in,
                          struct law_response *out);
-
-/* The step's numbers for a law with parts, with energies. */
-struct law_step law_general_step(const struct law_options *options, double dt);
 
 /* Springs and dampers of a contact for small changes. */
 struct law_stiff law_general_stiff(const struct law *law, const struct law_surfaces *surfaces, double mass,

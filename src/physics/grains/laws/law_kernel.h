@@ -39,7 +39,6 @@ struct law_case {
     bool radius;            /* the springs depend on the effective radius */
     bool lever_radius;      /* the lever is r (LAMMPS's), else r - overlap / 2 */
     bool energies;          /* fill the three energies of the response */
-    bool users;             /* the springs are those of the contact: a law of the user's */
 };
 
 /* The numbers common to all contacts of one evaluation; from law_step_of. */
@@ -50,7 +49,7 @@ struct law_step {
                             empty ones (LAMMPS) */
     double rescale;      /* 1: a turned spring keeps its length; 0: the spring is projected only */
     double relaxation;   /* 1 / dt if a sliding spring relaxes against its damper; 0: cut at once */
-    bool energies;       /* of a law with parts: fill the three energies of the response */
+    bool energies;       /* of a law with parts: fill the three energies of the response; law_step_of: true */
 };
 
 /* One contact. The members from half_normal on are used with friction only, `spin` and `roll` with rolling
@@ -61,7 +60,6 @@ struct law_contact {
     struct law_vector normal;             /* unit vector from i to j, now */
     struct law_vector velocity;           /* length/time, half-step */
     struct law_coefficients coefficients; /* of the two materials */
-    struct law_springs springs;           /* of a law of the user's */
 
     struct law_vector half_normal; /* unit vector half a step ago (synchronised) */
     struct law_vector surface;     /* sum of lever x angular velocity, length/time */
@@ -83,12 +81,14 @@ struct law_response {
 
 /* Makes the numbers of one evaluation of a law with time step dt. */
 LAW_INLINE struct law_step law_step_of(const struct law_options *options, double dt) {
-    bool series = options->sliding == LAW_SLIDING_SERIES && !options->lammps_history;
+    bool lammps = options->lammps_history || options->lammps_granular;
+    bool series = options->sliding == LAW_SLIDING_SERIES && !lammps;
     return (struct law_step){.dt = dt,
                              .force_least = options->end == LAW_END_FORCE ? 0.0 : -DBL_MAX,
-                             .spring_least = options->lammps_history ? 0.0 : -1.0,
+                             .spring_least = lammps ? 0.0 : -1.0,
                              .rescale = options->lammps_history ? 0.0 : 1.0,
-                             .relaxation = !series ? 0.0 : 1.0 / law_max(dt, 1e-30)};
+                             .relaxation = !series ? 0.0 : 1.0 / law_max(dt, 1e-30),
+                             .energies = true};
 }
 
 /* The case of a law's options, for callers that do not specialise. */
@@ -103,7 +103,6 @@ LAW_INLINE struct law_case law_case_of(const struct law_options *options, bool e
                              .rolling = rolling,
                              .synchronised = options->synchronised,
                              .radius = rolling || law_form_of(options)->radius,
-                             .users = options->user != NULL,
                              .lever_radius = options->lammps_history,
                              .energies = energies};
 }
@@ -177,8 +176,7 @@ LAW_INLINE void law_rub(struct law_case law, struct law_step step, const struct 
 LAW_INLINE struct law_response law_respond(struct law_case law, struct law_step step,
                                            const struct law_contact *in) {
     struct law_response out = {0};
-    struct law_springs springs =
-        law.users ? in->springs : law_springs(law.normal, &in->coefficients, in->radius, in->overlap);
+    struct law_springs springs = law_springs(law.normal, &in->coefficients, in->radius, in->overlap);
     double base = law.damping_given ? in->mass * springs.contact : sqrt(in->mass * springs.stiffness);
     double rate = law_dot(in->velocity, in->normal);
     double force = springs.force - in->coefficients.c_n * base * rate;

@@ -1,10 +1,8 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
-/* Forces of the walls on the particles: contacts are found one sphere at a time, collected, and taken through
- * the law of the pairs in batches. */
+/* Forces of the walls on the particles: contacts are found one sphere at a time, and collected in a batch of contacts, which
+ * goes through the law as those of pairs do (physics/grains/batch/force_kernel.h). */
 #include "physics/grains/walls/walls_history.h"
 #include "physics/grains/walls/walls_touch.h"
-#include "physics/grains/batch/force_general.h"
-#include "physics/grains/laws/law_general.h"
 #include "kernel/particles/material.h"
 #include "physics/grains/walls/walls_near.h"
 #include "kernel/particles/spin.h"
@@ -17,7 +15,7 @@ struct wall_task {
     const struct force_context *context;
     struct wall_scratch *scratch;
     struct law_case law;
-    struct law_step step;
+    struct force_form form;
     const double (*omega)[4]; /* NULL without spin */
     const uint8_t *material;  /* NULL where all are of one */
     size_t candidate;         /* its number */
@@ -27,43 +25,9 @@ struct wall_task {
     size_t listed;
 };
 
-static void put(double row[3][FORCE_BATCH], int k, struct law_vector v) {
-    row[0][k] = v.x;
-    row[1][k] = v.y;
-    row[2][k] = v.z;
-}
-
-static struct law_vector get(double row[3][FORCE_BATCH], int k) {
-    return (struct law_vector){row[0][k], row[1][k], row[2][k]};
-}
-
-/* The springs that contact k goes on with, turned where they come from another feature. */
-static void recall_springs(const struct wall_task *task, int w, const struct wall_touch *touch, int32_t from,
-                           struct law_vector x, int k) {
-    const struct walls *walls = task->walls;
-    const struct wall_records *old = &walls->records[walls->now];
-    struct force_batch *b = &task->scratch->batch->contact;
-    struct law_vector none = {0.0, 0.0, 0.0};
-    put(b->walk.history, k, none);
-    put(b->walk.history + 3, k, none);
-    if (from < 0)
-        return;
-    size_t record = walls->first[task->candidate] + (size_t)from;
-    const double *value = old->value + record * (size_t)walls->law->history_components;
-    struct law_vector spring = wall_vector(value), roll = task->law.rolling ? wall_vector(value + 3) : none;
-    if (old->key[record].feature != touch->feature) {
-        double distance;
-        struct law_vector before = walls_toward(&walls->wall[w], old->key[record].feature, x, &distance);
-        spring = walls_carry(spring, before, touch->normal);
-        roll = walls_carry(roll, before, touch->normal);
-    }
-    put(b->walk.history, k, spring);
-    put(b->walk.history + 3, k, roll);
-}
-
-/* The same for a law with parts: all that it remembers; vectors are turned. */
-static void recall_parts(const struct wall_task *task, int w, const struct wall_touch *touch, int32_t from,
-                         struct law_vector x, int k) {
+/* What contact k goes on with of its old record; vectors are turned where they come from another feature. */
+static void recall(const struct wall_task *task, int w, const struct wall_touch *touch, int32_t from,
+                   struct law_vector x, int k) {
     const struct walls *walls = task->walls;
     const struct wall_records *old = &walls->records[walls->now];
     struct force_batch *b = &task->scratch->batch->contact;
@@ -71,12 +35,13 @@ static void recall_parts(const struct wall_task *task, int w, const struct wall_
     int components = walls->law->history_components;
     for (int c = 0; c < components; c++)
         b->walk.history[c][k] = from < 0 ? 0.0 : old->value[record * (size_t)components + (size_t)c];
-    if (from < 0 || old->key[record].feature == touch->feature)
+    if (from < 0 || components == 0 || old->key[record].feature == touch->feature)
         return;
     double distance;
     struct law_vector before = walls_toward(&walls->wall[w], old->key[record].feature, x, &distance);
     for (int c = 0; c < walls->law->history_odd; c += 3)
-        put(b->walk.history + c, k, walls_carry(get(b->walk.history + c, k), before, touch->normal));
+        force_set(b->walk.history + c, k,
+                  walls_carry(force_vector(b->walk.history + c, k), before, touch->normal));
 }
 
 /* The lever of force and torque: at walls pair_style granular of LAMMPS has the radius. */
@@ -91,8 +56,8 @@ static double lever_of_slip(const struct wall_task *task, int k, double lever, d
     struct force_batch *b = &task->scratch->batch->contact;
     if (!task->law.synchronised)
         return lever;
-    double growth = -law_dot(get(b->velocity, k), get(b->normal, k)); /* of the overlap */
-    return law_max(law_lever(task->law, radius, b->overlap[k] - 0.5 * task->step.dt * growth), 0.0);
+    double growth = -law_dot(force_vector(b->velocity, k), force_vector(b->normal, k)); /* of the overlap */
+    return law_max(law_lever(task->law, radius, b->overlap[k] - 0.5 * task->form.step.dt * growth), 0.0);
 }
 
 /* Puts the contact `touch` of the task's particle with wall w into the batch; `from` is its old record. */
@@ -121,30 +86,26 @@ static void collect(const struct wall_task *task, int w, const struct wall_touch
     b->overlap[k] = overlap;
     b->mass[k] = state->inverse_mass > 0.0 ? 1.0 / state->inverse_mass : 0.0;
     b->effective[k] = state->radius;
-    put(b->normal, k, touch->normal);
+    force_set(b->normal, k, touch->normal);
     struct law_vector surface = wall_twist_at(&wall->twist, at), spin = wall->twist.omega;
     if (wall->slides) {
         surface = law_add(surface, 1.0, walls_slip(wall, at, touch->normal));
         spin = law_add(spin, 1.0, wall->surface.omega);
     }
-    put(b->velocity, k, law_add(surface, -1.0, sphere.v));
-    int material = material_of(task->material, task->particle);
-    force_set_coefficients(b, k, law_pair_of(task->context->law, material, wall->options.material));
-    b->extra[k] = law_extra_of(task->context->law, material, wall->options.material);
-    if (task->context->law->general) {
-        b->walk.radius[0][k] = state->radius;
-        b->walk.radius[1][k] = INFINITY;
-        recall_parts(task, w, touch, from, sphere.x, k);
-    }
+    force_set(b->velocity, k, law_add(surface, -1.0, sphere.v));
+    b->material[0][k] = (uint8_t)material_of(task->material, task->particle);
+    b->material[1][k] = (uint8_t)wall->options.material;
+    b->walk.radius[0][k] = state->radius;
+    b->walk.radius[1][k] = INFINITY;
+    recall(task, w, touch, from, sphere.x, k);
     if (!task->law.friction)
         return;
     struct law_vector omega = wall_vector(task->omega[task->particle]);
-    put(b->surface, k, law_scale(lever_of_slip(task, k, lever, state->radius), omega));
-    put(b->spin, k, law_add(spin, -1.0, omega));
-    put(b->half_normal, k,
-        task->law.synchronised ? walls_half_normal(wall, touch, &sphere, task->step.dt) : touch->normal);
-    if (!task->context->law->general)
-        recall_springs(task, w, touch, from, sphere.x, k);
+    force_set(b->surface, k, law_scale(lever_of_slip(task, k, lever, state->radius), omega));
+    force_set(b->spin, k, law_add(spin, -1.0, omega));
+    force_set(b->half_normal, k,
+              task->law.synchronised ? walls_half_normal(wall, touch, &sphere, task->form.step.dt)
+                                     : touch->normal);
 }
 
 static void add_to(double *out, double s, struct law_vector v) {
@@ -164,10 +125,10 @@ static void add_exactly(struct exact *out, struct law_vector v) {
 static double surface_power(const struct wall_task *task, const struct wall *wall, int k,
                             struct law_vector force) {
     struct force_batch *b = &task->scratch->batch->contact;
-    struct law_vector at = task->scratch->batch->entry[k].at, normal = get(b->normal, k);
+    struct law_vector at = task->scratch->batch->entry[k].at, normal = force_vector(b->normal, k);
     double power = law_dot(force, walls_slip(wall, at, normal));
     if (task->law.rolling)
-        power += law_dot(get(b->walk.out + FORCE_ROLLING, k), wall->surface.omega);
+        power += law_dot(force_vector(b->walk.out + FORCE_ROLLING, k), wall->surface.omega);
     return power;
 }
 
@@ -178,9 +139,9 @@ static void apply_to_wall(const struct wall_task *task, int k) {
     int w = entry->key.wall;
     const struct wall *wall = &task->walls->wall[w];
     struct law_vector arm = law_add(entry->at, -1.0, wall->centre_now);
-    struct law_vector force = get(b->walk.out + FORCE_OUT, k), torque = law_cross(arm, force);
+    struct law_vector force = force_vector(b->walk.out + FORCE_OUT, k), torque = law_cross(arm, force);
     if (task->law.rolling)
-        torque = law_add(torque, 1.0, get(b->walk.out + FORCE_ROLLING, k));
+        torque = law_add(torque, 1.0, force_vector(b->walk.out + FORCE_ROLLING, k));
     double power = wall->slides ? -surface_power(task, wall, k, force) : 0.0;
     if (task->scratch->exact) {
         add_exactly(task->scratch->exact[w] + WALL_FORCE, force);
@@ -212,11 +173,11 @@ static void apply(const struct wall_task *task, int k) {
     struct force_batch *b = &task->scratch->batch->contact;
     const struct wall_entry *entry = &task->scratch->batch->entry[k];
     double *force = p->force + entry->particle * (size_t)p->force_stride;
-    add_to(force, -1.0, get(b->walk.out + FORCE_OUT, k));
+    add_to(force, -1.0, force_vector(b->walk.out + FORCE_OUT, k));
     if (task->law.friction)
-        add_to(force + 4, entry->lever, get(b->walk.out + FORCE_MOMENT, k));
+        add_to(force + 4, entry->lever, force_vector(b->walk.out + FORCE_MOMENT, k));
     if (task->law.rolling)
-        add_to(force + 4, -1.0, get(b->walk.out + FORCE_ROLLING, k));
+        add_to(force + 4, -1.0, force_vector(b->walk.out + FORCE_ROLLING, k));
     apply_to_wall(task, k);
     impede(task, k);
 }
@@ -243,7 +204,8 @@ static void account(const struct wall_task *task, int k) {
     }
     if (!task->context->want_virial)
         return;
-    struct law_vector d = law_scale(entry->lever, get(b->normal, k)), f = get(b->walk.out + FORCE_OUT, k);
+    struct law_vector d = law_scale(entry->lever, force_vector(b->normal, k)),
+                      f = force_vector(b->walk.out + FORCE_OUT, k);
     force_add_virial(sums->virial, 1.0, (double[3]){d.x, d.y, d.z}, (double[3]){f.x, f.y, f.z});
 }
 
@@ -264,7 +226,7 @@ static void remember(const struct wall_task *task, int k) {
 static struct force_contact contact_of(const struct wall_task *task, int k) {
     struct force_batch *b = &task->scratch->batch->contact;
     const struct wall_entry *entry = &task->scratch->batch->entry[k];
-    struct law_vector n = get(b->normal, k), f = get(b->walk.out + FORCE_OUT, k);
+    struct law_vector n = force_vector(b->normal, k), f = force_vector(b->walk.out + FORCE_OUT, k);
     return (struct force_contact){.id_i = task->context->particles->id[entry->particle],
                                   .id_j = -(int64_t)(entry->key.wall + 1),
                                   .number_i = entry->particle,
@@ -279,12 +241,12 @@ static struct force_contact contact_of(const struct wall_task *task, int k) {
 static struct wall_load load_of(const struct wall_task *task, int k) {
     struct force_batch *b = &task->scratch->batch->contact;
     const struct wall_entry *entry = &task->scratch->batch->entry[k];
-    struct law_vector force = get(b->walk.out + FORCE_OUT, k);
+    struct law_vector force = force_vector(b->walk.out + FORCE_OUT, k);
     return (struct wall_load){.wall = entry->key.wall,
                               .triangle = entry->triangle,
                               .at = {entry->at.x, entry->at.y, entry->at.z},
                               .force = {force.x, force.y, force.z},
-                              .push = law_dot(force, get(b->normal, k))};
+                              .push = law_dot(force, force_vector(b->normal, k))};
 }
 
 /* Takes the batch through the law and applies the results. */
@@ -292,13 +254,10 @@ static void flush(struct wall_task *task) {
     struct force_batch *b = &task->scratch->batch->contact;
     if (b->walk.count == 0)
         return;
-    bool general = task->context->law->general;
-    if (general)
-        force_general_respond(task->context->law, task->step, b, b->walk.count);
-    else
-        task->walls->kernel->respond(&task->context->law->options, task->law.energies, b, task->step);
+    b->walk.padded = (b->walk.count + FORCE_LANES - 1) / FORCE_LANES * FORCE_LANES;
+    task->walls->kernel->contacts(&task->form, b);
     for (int k = 0; k < b->walk.count; k++) {
-        if (general && !b->active[k])
+        if (!b->active[k])
             continue;
         if (task->load)
             task->load[task->listed++] = load_of(task, k);
@@ -346,19 +305,20 @@ static void take_particle(struct wall_task *task) {
     }
 }
 
-static struct law_step wall_step(const struct law *law, double dt) {
-    return law->general ? law_general_step(&law->options, dt)
-                        : law_step_of(&law->options, dt); /* with energies */
+static struct wall_task task_of(struct walls *walls, const struct force_context *context,
+                                struct wall_scratch *scratch, double dt, bool energies) {
+    struct wall_task task = {.walls = walls,
+                             .context = context,
+                             .scratch = scratch,
+                             .law = law_case_of(&context->law->options, energies),
+                             .omega = spin_values(context->particles),
+                             .material = material_numbers(context->particles)};
+    walls->kernel->begin(&task.form, &scratch->batch->contact, context->law, dt, energies);
+    return task;
 }
 
 void walls_force_share(struct walls *walls, const struct force_context *context, int thread) {
-    struct wall_task task = {.walls = walls,
-                             .context = context,
-                             .scratch = walls->scratch[thread],
-                             .law = law_case_of(&context->law->options, context->want_sums),
-                             .step = wall_step(context->law, context->dt),
-                             .omega = spin_values(context->particles),
-                             .material = material_numbers(context->particles)};
+    struct wall_task task = task_of(walls, context, walls->scratch[thread], context->dt, context->want_sums);
     size_t first = walls->candidates * (size_t)thread / (size_t)walls->threads;
     size_t last = walls->candidates * ((size_t)thread + 1) / (size_t)walls->threads;
     for (size_t k = first; k < last; k++) {
@@ -370,45 +330,33 @@ void walls_force_share(struct walls *walls, const struct force_context *context,
     flush(&task);
 }
 
-/* Lists all contacts of this rank in the task's list or loads. Returns their number. */
-static size_t list_all(struct wall_task *task, struct wall_scratch *scratch) {
-    struct walls *walls = task->walls;
-    task->scratch = scratch;
+/* Lists all contacts of this rank as `contacts` or as `loads`. Returns their number. */
+static size_t list_all(const struct walls *walls, const struct force_context *context,
+                       struct force_contact *contacts, struct wall_load *loads) {
+    struct wall_scratch scratch = {.batch = memory_allocate_zero(1, sizeof *scratch.batch, "contact list")};
+    struct wall_task task = task_of((struct walls *)walls, context, &scratch, 0.0, false); /* only read */
+    task.list = contacts;
+    task.load = loads;
     for (size_t k = 0; k < walls->candidates; k++) {
-        task->candidate = k;
-        task->particle = walls->particle[k];
-        walls_scratch_reserve(scratch, walls->first[k + 1] - walls->first[k]);
-        take_particle(task);
+        task.candidate = k;
+        task.particle = walls->particle[k];
+        walls_scratch_reserve(&scratch, walls->first[k + 1] - walls->first[k]);
+        take_particle(&task);
     }
-    flush(task);
-    walls_scratch_free(scratch);
-    return task->listed;
-}
-
-static struct wall_task listing(const struct walls *walls, const struct force_context *context) {
-    return (struct wall_task){.walls = (struct walls *)walls, /* only read */
-                              .context = context,
-                              .law = law_case_of(&context->law->options, false),
-                              .step = wall_step(context->law, 0.0),
-                              .omega = spin_values(context->particles),
-                              .material = material_numbers(context->particles)};
+    flush(&task);
+    walls_scratch_free(&scratch);
+    return task.listed;
 }
 
 size_t walls_contacts(const struct walls *walls, const struct force_context *context,
                       struct force_contact **contacts) {
     if (context->solved)
         return context->solved(context->solver, true, contacts);
-    struct wall_scratch scratch = {.batch = memory_allocate_zero(1, sizeof *scratch.batch, "contact list")};
-    struct wall_task task = listing(walls, context);
     *contacts = memory_allocate(walls->first[walls->candidates], sizeof **contacts, "contact list");
-    task.list = *contacts;
-    return list_all(&task, &scratch);
+    return list_all(walls, context, *contacts, NULL);
 }
 
 size_t walls_loads(const struct walls *walls, const struct force_context *context, struct wall_load **loads) {
-    struct wall_scratch scratch = {.batch = memory_allocate_zero(1, sizeof *scratch.batch, "loads of walls")};
-    struct wall_task task = listing(walls, context);
     *loads = memory_allocate(walls->first[walls->candidates] + 1, sizeof **loads, "loads of walls");
-    task.load = *loads;
-    return list_all(&task, &scratch);
+    return list_all(walls, context, NULL, *loads);
 }

@@ -17,7 +17,7 @@ static double restitution_of(const struct law *law, double speed) {
         overlap += dt * v;
         in.contact.overlap = overlap;
         in.contact.velocity.x = -v;
-        law_general_respond(law, law_general_step(&law->options, dt), &in, &out);
+        law_general_respond(law, law_step_of(&law->options, dt), &in, &out);
         v -= dt * out.force.x;
     } while (overlap > 0.0);
     return -v / speed;
@@ -49,7 +49,7 @@ static void assert_balance(const struct law *law, double most, double part) {
         struct law_response out;
         in.contact.overlap = overlap;
         in.contact.velocity.x = (last - overlap) / 1e-3;
-        law_general_respond(law, law_general_step(&law->options, 1e-3), &in, &out);
+        law_general_respond(law, law_step_of(&law->options, 1e-3), &in, &out);
         if (k > 1) {
             work += 0.5 * (out.force.x + before) * (overlap - last);
             taken += out.taken;
@@ -230,15 +230,15 @@ static double grown(const struct law *law, const struct law_surfaces *s, double 
                                       .coefficients = *s->c};
     struct law_response out;
     in.contact.overlap = 1.01 * rest; /* then a plastic law is on its unloading branch */
-    law_general_respond(law, law_general_step(&law->options, dt), &in, &out);
+    law_general_respond(law, law_step_of(&law->options, dt), &in, &out);
     in.contact.overlap = rest;
-    law_general_respond(law, law_general_step(&law->options, dt), &in, &out);
+    law_general_respond(law, law_step_of(&law->options, dt), &in, &out);
     push = out.force.x;
     double overlap = rest * (1.0 + least), v = 0.0;
     for (int k = 0; k < 300; k++) {
         in.contact.overlap = overlap;
         in.contact.velocity.x = -v;
-        law_general_respond(law, law_general_step(&law->options, dt), &in, &out);
+        law_general_respond(law, law_step_of(&law->options, dt), &in, &out);
         v -= dt * (out.force.x - push);
         overlap += dt * v;
         most = fmax(most, fabs(overlap - rest) / (rest * least));

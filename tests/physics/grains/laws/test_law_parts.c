@@ -192,7 +192,7 @@ static void test_mirror(void **state) {
     struct random_sequence r = random_sequence(2, RANDOM_TEST, 0);
     for (int k = 0; k < OPTIONS; k++) {
         OWN_LAW law = law_of(options_of(k), sticky);
-        struct law_step step = law_general_step(&law.options, 1e-3);
+        struct law_step step = law_step_of(&law.options, 1e-3);
         for (int trial = 0; trial < 10; trial++) {
             struct law_general in = random_contact(&law, &r), back = in;
             struct law_vector *odd[] = {&back.contact.normal, &back.contact.half_normal,
@@ -224,7 +224,6 @@ static void batch_put(double row[3][FORCE_BATCH], int k, struct law_vector v) {
 
 /* A batch of random contacts. */
 static void batch_fill(struct force_batch *b, const struct law *law, struct random_sequence *r) {
-    memset(b, 0, sizeof *b);
     b->walk.count = b->walk.padded = FORCE_BATCH;
     for (int k = 0; k < FORCE_BATCH; k++) {
         struct law_general in = random_contact(law, r);
@@ -270,15 +269,34 @@ static void test_columns(void **state) {
     assert_memory_equal(&back, &c, sizeof c);
 }
 
-/* The vectorised loop of laws that rub as others do: forces, torques and memory to the last bit those of single contacts, by each
- * instruction set. */
+/* The loops of laws that rub as others do: forces, torques, memory and energies to the last bit those of single contacts, by each
+ * instruction set. Counts the evaluations whose normal direction has a loop, too. */
+static int rub_once(const struct law *law, const struct force_kernel *kernel, bool energies,
+                    struct random_sequence *r) {
+    static struct force_batch plain, fast;
+    struct force_form form;
+    kernel->begin(&form, &plain, law, 1e-3, energies);
+    batch_fill(&plain, law, r);
+    fast = plain;
+    kernel->contacts(&form, &fast);
+    force_general_respond(law, form.step, &plain);
+    int sums = law->spin ? law->options.rolling ? 9 : 6 : 3;
+    for (int k = 0; k < FORCE_BATCH; k++) {
+        assert_true((plain.springs[5][k] > 0.0) == fast.active[k]);
+        for (int c = 0; c < sums; c++)
+            assert_true(plain.walk.out[c][k] == fast.walk.out[c][k]);
+        for (int c = 0; c < law->history_components; c++)
+            assert_true(plain.walk.history[c][k] == fast.walk.history[c][k]);
+        for (int c = 0; energies && c < 3; c++)
+            assert_true(plain.energy[c][k] == fast.energy[c][k]);
+    }
+    return form.push != force_general_push;
+}
+
 static void test_rub(void **state) {
     (void)state;
     struct random_sequence r = random_sequence(3, RANDOM_TEST, 0);
     struct law_options o = law_options_default();
-    static struct force_batch plain;
-    static struct force_thread thread;
-    const struct force_batch *fast = &thread.batch;
     int tried = 0, vectorised = 0, levels = 0;
     for (int level = 0; level < 3; level++)
         levels += force_kernel_find(walk_level_name(level)) != NULL;
@@ -290,27 +308,12 @@ static void test_rub(void **state) {
             o.end = kind % 3 ? LAW_END_FORCE : LAW_END_OVERLAP;
             o.damping = (enum law_damping)(kind % LAW_DAMPING_TSUJI);
             OWN_LAW law = law_of(o, sticky);
-            if (!law_general_rubs(&law))
-                continue;
-            struct law_step step = law_general_step(&o, 1e-3);
-            for (int level = 0; level < 3; level++) {
+            for (int level = 0; law.rubs && level < 3; level++) {
                 const struct force_kernel *kernel = force_kernel_find(walk_level_name(level));
                 if (kernel == NULL)
                     continue;
-                batch_fill(&plain, &law, &r);
-                thread =
-                    (struct force_thread){.batch = plain, .kernel = kernel, .grip = kernel->grip_find(&o)};
-                vectorised += thread.grip != NULL;
-                force_general_respond(&law, step, &plain, FORCE_BATCH);
-                force_general_rub(&law, step, &thread);
-                int sums = law.spin ? o.rolling ? 9 : 6 : 3;
-                for (int k = 0; k < FORCE_BATCH; k++) {
-                    assert_true(plain.active[k] == fast->active[k]);
-                    for (int c = 0; c < sums; c++)
-                        assert_true(plain.walk.out[c][k] == fast->walk.out[c][k]);
-                    for (int c = 0; c < law.history_components; c++)
-                        assert_true(plain.walk.history[c][k] == fast->walk.history[c][k]);
-                }
+                vectorised += rub_once(&law, kernel, false, &r);
+                rub_once(&law, kernel, true, &r);
                 tried++;
             }
         }
@@ -340,7 +343,7 @@ static void test_static_friction(void **state) {
     double last = 0.0;
     for (int k = 0; k < 100; k++) {
         struct law_response out;
-        law_general_respond(&law, law_general_step(&o, dt), &in, &out);
+        law_general_respond(&law, law_step_of(&o, dt), &in, &out);
         last = -out.force.y;
         most = fmax(most, last);
     }
@@ -348,7 +351,7 @@ static void test_static_friction(void **state) {
     assert_near(last / normal, 0.4, 1e-12);
     in.contact.velocity.y = -1.0;
     struct law_response out;
-    law_general_respond(&law, law_general_step(&o, dt), &in, &out);
+    law_general_respond(&law, law_step_of(&o, dt), &in, &out);
     assert_true(in.value[law.memory.slides] == 0.0);
 }
 
@@ -370,7 +373,7 @@ static void test_epsd(void **state) {
                                       .spin = {0.0, 1e-6, 0.0},
                                       .coefficients = law.pair[law_place_of(law.materials, 0, 1)]};
     struct law_response out;
-    law_general_respond(&law, law_general_step(&o, 0.0), &in, &out);
+    law_general_respond(&law, law_step_of(&o, 0.0), &in, &out);
     double k = 2.25 * 1e5 * 0.2 * 0.2 * r * r,
            inertia = 1.0 / (1.0 / (1.4 * ma * a * a) + 1.0 / (1.4 * mb * b * b));
     assert_near(out.rolling.y / (-2.0 * sticky.rolling_epsd.rolling_damping_ratio * sqrt(inertia * k) * 1e-6),
