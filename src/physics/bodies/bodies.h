@@ -50,4 +50,7 @@ struct bodies {
     struct carried carried;
 };
 
+/* The bodies of a run; NULL if it has none. */
+struct bodies *bodies_of(const struct physics_set *set);
+
 #endif
