@@ -12,14 +12,16 @@
 #include <omp.h>
 
 void copies_reach(const struct size_classes *classes, bool reduced, double reach[CLASS_MAX]) {
+    double most = 0.0;
     for (int a = 0; a < classes->count; a++) {
         int last = reduced ? a : classes->count - 1;
         reach[a] = -INFINITY;
         for (int c = 0; c <= last; c++)
             if (classes_meet(classes, a, c))
                 reach[a] = fmax(fmax(reach[a], 0), classes->radius_max[c] + classes->margin[a][c]);
-        if (classes->kind[a] == KIND_BODY) /* known wherever it may have members */
-            reach[a] = fmax(reach[a], 0);
+        if (classes->kind[a] == KIND_BODY) /* known wherever it may have members, or copies of them */
+            reach[a] = fmax(reach[a], most + 1e-9 * classes->radius_max[a]);
+        most = fmax(most, reach[a]);
     }
 }
 

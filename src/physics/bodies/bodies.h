@@ -62,4 +62,7 @@ struct bodies {
     struct rocks *rocks; /* the contacts of rocks; NULL: there are none */
 };
 
+/* The bodies of a run; NULL if it has none. */
+struct bodies *bodies_of(const struct physics_set *set);
+
 #endif

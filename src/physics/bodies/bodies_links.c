@@ -52,7 +52,8 @@ static int32_t named_find(const struct named *named, int32_t rows, int64_t id) {
             high = middle;
     }
     if (low == rows || named[low].id != id)
-        error_fatal("body %lld is not known to a rank that has a member of it", (long long)id);
+        error_fatal("body %lld is not known to a rank that has a member of it, or a copy of one",
+                    (long long)id);
     return named[low].row;
 }
 
@@ -65,7 +66,7 @@ static void row_make(const struct bodies *bodies, const struct physics_context *
     *row = (struct bodies_row){.particle = particle, .clump = clump, .scale = scale, .mass = mass};
     for (int d = 0; d < 3; d++)
         row->inertia[d] = mass * clump->gyration[d] * scale * scale;
-    if (group && particle < p->owned && grains_motion(context)->motion[group[particle]].prescribed)
+    if (group && grains_motion(context)->motion[group[particle]].prescribed)
         row->motion = &grains_motion(context)->motion[group[particle]];
 }
 
@@ -148,11 +149,13 @@ static void members_find(struct bodies_links *l, const struct physics_context *c
     for (int32_t b = 0; b < l->rows; b++)
         named[b] = (struct named){p->id[l->row[b].particle], b};
     qsort(named, (size_t)l->rows, sizeof *named, named_compare);
-    l->pose_of = memory_allocate(p->owned, sizeof *l->pose_of, "bodies of particles");
-    l->offset = memory_allocate_zero(p->owned, sizeof *l->offset, "places of members");
-    l->shift = memory_allocate_zero(p->owned, sizeof *l->shift, "images of members");
+    /* a solver of contacts asks for the bodies of copies, too */
+    size_t all = grains_solved(context) ? p->owned + p->ghosts : p->owned;
+    l->pose_of = memory_allocate(all, sizeof *l->pose_of, "bodies of particles");
+    l->offset = memory_allocate_zero(all, sizeof *l->offset, "places of members");
+    l->shift = memory_allocate_zero(all, sizeof *l->shift, "images of members");
 #pragma omp parallel for schedule(static)
-    for (size_t i = 0; i < p->owned; i++) {
+    for (size_t i = 0; i < all; i++) {
         l->pose_of[i] = body[i] >= 0 ? named_find(named, l->rows, body[i]) : -1;
         if (l->pose_of[i] >= 0)
             member_place(l, context, i);

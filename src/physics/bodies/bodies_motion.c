@@ -16,8 +16,15 @@ static struct sums_units units_of(const struct bodies_links *l, const struct phy
     return sums_units_of(row->mass, context->particles->state[row->particle].radius, context->clock->dt);
 }
 
-/* Force and torque about the centre of mass of each own body. */
-static void forces_sum(struct bodies_links *l, const struct physics_context *context) {
+/* Adds the force and the torque on the particle of own body b itself. */
+static void own_add(struct bodies_links *l, const struct physics_context *context, int32_t b) {
+    const struct particles *p = context->particles;
+    const double *f = p->force + l->row[b].particle * (size_t)p->force_stride;
+    sums_add(l->sum + (size_t)b * (size_t)sums_width(context->ordered), context->ordered,
+             units_of(l, context, b), f, f + 4);
+}
+
+void bodies_motion_gather(struct bodies_links *l, const struct physics_context *context) {
     const struct particles *p = context->particles;
     const int width = sums_width(context->ordered);
     memset(l->sum, 0, (size_t)l->rows * (size_t)width * sizeof *l->sum);
@@ -35,14 +42,15 @@ static void forces_sum(struct bodies_links *l, const struct physics_context *con
             }
             sums_add(l->sum + (size_t)b * (size_t)width, context->ordered, units, f, torque);
         }
+        if (b < l->own)
+            own_add(l, context, b);
     }
     if (l->part)
         ghosts_part_sum(l->part, l->sum, width);
 }
 
-/* The change of velocity and of angular momentum of own body b in a time. */
-static void push(const struct bodies_links *l, const struct physics_context *context, int32_t b, double time,
-                 double velocity[3], double spin[3]) {
+void bodies_motion_push(const struct bodies_links *l, const struct physics_context *context, int32_t b,
+                        double time, double velocity[3], double spin[3]) {
     const struct bodies_row *row = &l->row[b];
     const bool flat = context->box->dimension == 2;
     const struct sums_units units = units_of(l, context, b);
@@ -63,7 +71,7 @@ static void move_free(struct bodies_links *l, const struct physics_context *cont
     const double dt = context->clock->dt;
     double *state = l->state[b];
     double faster[3], more[3], before[3], after[3], turn[9];
-    push(l, context, b, kick, faster, more);
+    bodies_motion_push(l, context, b, kick, faster, more);
     for (int d = 0; d < 3; d++) {
         v[d] += faster[d];
         spin[d] += more[d];
@@ -95,7 +103,7 @@ void bodies_motion_step(struct bodies *bodies, const struct physics_context *con
     double(*orientation)[4] = bodies_orientation(p), (*velocity)[3] = bodies_velocity(p),
     (*spin)[3] = bodies_spin(p);
     const double kick = 0.5 * (bodies->before + context->clock->dt);
-    forces_sum(l, context);
+    bodies_motion_gather(l, context);
 #pragma omp parallel for schedule(static)
     for (int32_t b = 0; b < l->own; b++) {
         uint32_t particle = l->row[b].particle;
@@ -105,6 +113,7 @@ void bodies_motion_step(struct bodies *bodies, const struct physics_context *con
             move_free(l, context, b, kick, velocity[particle], spin[particle]);
         memcpy(p->state[particle].x, l->state[b], sizeof p->state[particle].x);
         memcpy(orientation[particle], l->state[b] + 9, sizeof orientation[particle]);
+        memset(p->force + particle * (size_t)p->force_stride, 0, (size_t)p->force_stride * sizeof *p->force);
     }
     bodies_links_send(l);
     bodies->before = context->clock->dt;
@@ -128,7 +137,7 @@ static void full_free(struct bodies_links *l, const struct physics_context *cont
     const struct bodies_row *row = &l->row[b];
     const struct particles *p = context->particles;
     double faster[3], more[3], spin[3], *full = l->full[b];
-    push(l, context, b, time, faster, more);
+    bodies_motion_push(l, context, b, time, faster, more);
     for (int d = 0; d < 3; d++) {
         full[d] = bodies_velocity(p)[row->particle][d] + faster[d];
         spin[d] = bodies_spin(p)[row->particle][d] + more[d];
@@ -140,7 +149,7 @@ void bodies_motion_full_step(struct bodies *bodies, const struct physics_context
     struct bodies_links *l = bodies->links;
     struct particles *p = context->particles;
     double(*omega)[4] = spin_of(p);
-    forces_sum(l, context);
+    bodies_motion_gather(l, context);
 #pragma omp parallel for schedule(static)
     for (int32_t b = 0; b < l->own; b++) {
         const struct integrator_motion *motion = l->row[b].motion;

@@ -15,6 +15,14 @@ void bodies_motion_step(struct bodies *bodies, const struct physics_context *con
  * Collective. */
 void bodies_motion_full_step(struct bodies *bodies, const struct physics_context *context);
 
+/* Sums the forces and torques on each own body: those on its members, and those on its own particle, which a solver of contacts
+ * gives. Collective. */
+void bodies_motion_gather(struct bodies_links *links, const struct physics_context *context);
+
+/* After that: the change of velocity and of angular momentum of own body b in a time, by these and by gravity. Any thread. */
+void bodies_motion_push(const struct bodies_links *links, const struct physics_context *context, int32_t b,
+                        double time, double velocity[3], double spin[3]);
+
 /* Makes bodies of grains. */
 
 /* The entry that a grain of this material and radius becomes a body of, those of clumps first; -1: none. */

@@ -115,6 +115,13 @@ static bool check(const struct physics_context *context, struct error *error) {
     return good && check_sources(context, error) && rocks_check(context, error);
 }
 
+struct bodies *bodies_of(const struct physics_set *set) {
+    for (int k = 0; k < set->count; k++)
+        if (set->active[k].row == &bodies_physics)
+            return set->active[k].context.self;
+    return NULL;
+}
+
 static void *create(const struct physics_context *context) {
     struct bodies *bodies = memory_allocate_zero(1, sizeof *bodies, "bodies");
     const struct bodies_options *options = bodies->options = context->options;

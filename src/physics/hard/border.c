@@ -91,14 +91,12 @@ void hard_border_count(struct hard_border *border, const struct hard_problem *pr
 static void gather_end(struct hard_border *border, const struct hard_problem *problem,
                        const struct hard_row *row, int e) {
     size_t k = row->body[e], all = border->particles->owned + border->particles->ghosts;
-    double turn[3], sign = e ? 1.0 : -1.0;
+    double impulse[6];
     if (k >= all || problem->body[k].lightness > 0.0)
         return;
-    hard_cross(row->normal, row->q, turn);
-    for (int d = 0; d < 3; d++) {
-        numbers_of(border, k)[d] += sign * (row->p * row->normal[d] + row->q[d]);
-        numbers_of(border, k)[3 + d] -= row->lever[e] * turn[d];
-    }
+    hard_impulse(row, e, impulse);
+    for (int d = 0; d < 6; d++)
+        numbers_of(border, k)[d] += impulse[d];
 }
 
 void hard_border_gather(struct hard_border *border, const struct hard_problem *problem) {

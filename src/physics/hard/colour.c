@@ -31,13 +31,19 @@ struct entry {
     uint32_t other; /* rank of the other particle among the ids */
     uint32_t pair;
     uint8_t image;
+    int64_t tie[2];
 };
 
 static int by_other(const void *a, const void *b) {
     const struct entry *x = a, *y = b;
     if (x->other != y->other)
         return x->other < y->other ? -1 : 1;
-    return x->image < y->image ? -1 : x->image > y->image;
+    if (x->image != y->image)
+        return x->image < y->image ? -1 : 1;
+    for (int e = 0; e < 2; e++)
+        if (x->tie[e] != y->tie[e])
+            return x->tie[e] < y->tie[e] ? -1 : 1;
+    return 0;
 }
 
 /* The work of one colouring. */
@@ -45,6 +51,7 @@ struct work {
     size_t pairs, particles;
     const uint32_t (*end)[2];
     const uint8_t *image;
+    const int64_t (*tie)[2];
     uint32_t *rank;          /* of each particle in the order of ids */
     uint32_t *degree;        /* partners of each particle */
     size_t *start;           /* by rank: particles + 1 */
@@ -96,8 +103,10 @@ static void lists_make(struct work *w) {
         int head = head_of(w, k);
         bool lower = w->rank[w->end[k][0]] < w->rank[w->end[k][1]];
         uint8_t image = (uint8_t)(lower ? w->image[k] : image_opposite(w->image[k]));
-        w->entry[at[w->rank[w->end[k][head]]]++] =
-            (struct entry){w->rank[w->end[k][1 - head]], (uint32_t)k, image};
+        struct entry entry = {w->rank[w->end[k][1 - head]], (uint32_t)k, image, {0, 0}};
+        for (int e = 0; w->tie && e < 2; e++)
+            entry.tie[e] = w->tie[k][e == head ? 0 : 1];
+        w->entry[at[w->rank[w->end[k][head]]]++] = entry;
     }
     memory_free(at);
 #pragma omp parallel for schedule(dynamic, 1024)
@@ -191,9 +200,9 @@ static void bundles_write(const struct work *w, struct hard_colours *c, size_t a
 }
 
 void hard_colours_make(struct hard_colours *colours, size_t pairs, const uint32_t (*end)[2],
-                       const uint8_t *image, size_t particles, const int64_t *id) {
+                       const uint8_t *image, const int64_t (*tie)[2], size_t particles, const int64_t *id) {
     static const char what[] = "colours of contacts";
-    struct work w = {.pairs = pairs, .particles = particles, .end = end, .image = image};
+    struct work w = {.pairs = pairs, .particles = particles, .end = end, .image = image, .tie = tie};
     w.rank = memory_allocate(particles, sizeof *w.rank, what);
     w.degree = memory_allocate_zero(particles, sizeof *w.degree, what);
     w.start = memory_allocate_zero(particles + 1, sizeof *w.start, what);

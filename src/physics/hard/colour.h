@@ -25,9 +25,10 @@ struct hard_colours {
 };
 
 /* Colours `pairs` pairs (end[k][0], end[k][1]) of `particles` particles with these ids. Two pairs of the same
- * particles are told apart by `image`, the image code of the second one. Allocates; hard_colours_free releases. One thread. */
+ * particles are told apart by `image`, the image code of the second one, and then by `tie`, two numbers for its two ends (NULL: by
+ * nothing). Allocates; hard_colours_free releases. One thread. */
 void hard_colours_make(struct hard_colours *colours, size_t pairs, const uint32_t (*end)[2],
-                       const uint8_t *image, size_t particles, const int64_t *id);
+                       const uint8_t *image, const int64_t (*tie)[2], size_t particles, const int64_t *id);
 void hard_colours_free(struct hard_colours *colours);
 
 #endif

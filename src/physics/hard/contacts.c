@@ -28,6 +28,9 @@ void hard_contacts_free(struct hard_contacts *contacts, int threads) {
     memory_free(contacts->pair);
     memory_free(contacts->wall);
     memory_free(contacts->past);
+    memory_free(contacts->arm);
+    memory_free(contacts->dropped);
+    memory_free(contacts->point);
     *contacts = (struct hard_contacts){0};
 }
 
@@ -49,7 +52,7 @@ static void turn(const double old[3], const double normal[3], double out[3]) {
 static void stiffen_rigid(struct hard_row *row, const struct hard_terms *terms, const struct hard_pace *pace,
                           const struct hard_body *a, const struct hard_body *b, double smaller) {
     double share = pace->dt / (pace->duration * terms->kappa);
-    row->soft_n = hard_push(a, b) * share;
+    row->soft_n = hard_push(row, a, b) * share;
     row->soft_t = hard_slide(row, a, b) * share;
     row->bias = row->gap / pace->dt;
     if (isinf(terms->kappa) && row->gap < 0.0)
@@ -98,26 +101,32 @@ static double kappa_of(const struct hard_row *row, const struct hard_pace *pace,
     return row->soft_n > 0.0 ? share / row->soft_n : INFINITY;
 }
 
-/* What remains once bodies, normal, levers and gap of a row are known. */
+/* The spheres of a contact; a wall is the second one, with an infinite radius. */
+struct ends {
+    double radius[2];
+    double light; /* sum of 1/mass; of members by their shares of the mass */
+};
+
+/* What remains once bodies, normal, levers, arm and gap of a row are known. */
 static void row_finish(struct hard_row *row, const struct hard_problem *problem,
                        const struct hard_terms *terms, const struct hard_term *term,
-                       const struct hard_pace *pace, const double radius[2],
+                       const struct hard_pace *pace, const struct ends *ends,
                        const struct hard_memory *memory) {
     const struct hard_body *a = &problem->body[row->body[0]], *b = &problem->body[row->body[1]];
-    double u[3], smaller = fmin(radius[0], radius[1]);
+    const double *radius = ends->radius;
+    double u[3], smaller = fmin(radius[0], radius[1]), push = hard_push(row, a, b);
     double effective = isinf(radius[1]) ? radius[0] : radius[0] * radius[1] / (radius[0] + radius[1]);
     row->friction = term->friction;
     row->restitution = term->restitution;
     if (term->stiffness > 0.0)
-        stiffen_law(row, terms, term, pace, hard_push(a, b), effective);
+        stiffen_law(row, terms, term, pace, ends->light, effective);
     else
         stiffen_rigid(row, terms, pace, a, b, smaller);
     hard_velocity(row, a, b, u);
     row->approach = -hard_dot(u, row->normal);
-    double keep = pace->sweeps >= warm_sweeps * kappa_of(row, pace, hard_push(a, b)) ? 1.0 : warm_part;
+    double keep = pace->sweeps >= warm_sweeps * kappa_of(row, pace, push) ? 1.0 : warm_part;
     turn(memory->rub, row->normal, row->hold);
-    row->impact =
-        memory->push <= 0.0 && row->approach > pace->rest && is_brief(row, term, pace, hard_push(a, b));
+    row->impact = memory->push <= 0.0 && row->approach > pace->rest && is_brief(row, term, pace, ends->light);
     for (int d = 0; d < 3; d++) {
         row->hold[d] *= pace->duration;
         row->q[d] = row->impact ? 0.0 : keep * row->hold[d];
@@ -125,9 +134,8 @@ static void row_finish(struct hard_row *row, const struct hard_problem *problem,
     row->p = row->impact ? 0.0 : keep * pace->duration * memory->push;
 }
 
-/* The separation of pair m, and its gap. */
-static double separate(const struct hard_pairs *pairs, const struct hard_scene *scene, size_t m,
-                       double apart[3], double *distance) {
+double hard_contacts_separate(const struct hard_pairs *pairs, const struct hard_scene *scene, size_t m,
+                              double apart[3], double *distance) {
     const struct particle_state *i = &scene->particles->state[pairs->end[m][0]],
                                 *j = &scene->particles->state[pairs->end[m][1]];
     const double *shift = scene->list->shift[pairs->image[m]];
@@ -137,29 +145,60 @@ static double separate(const struct hard_pairs *pairs, const struct hard_scene *
     return *distance - i->radius - j->radius;
 }
 
-static bool is_near(const struct hard_pairs *pairs, const struct hard_scene *scene,
-                    const struct hard_pace *pace, size_t m) {
+/* Gives row r an arm if one of its spheres is carried by a body, or all rows have one. `sphere`: its particles, UINT32_MAX a wall. */
+static void arm_make(struct hard_contacts *contacts, struct hard_row *row, size_t r,
+                     const struct hard_scene *scene, const struct hard_terms *terms,
+                     const uint32_t sphere[2]) {
+    bool carried = false;
+    for (int e = 0; e < 2; e++)
+        carried = carried || (sphere[e] != UINT32_MAX && hard_clumps_carries(scene->clumps, sphere[e]));
+    if (!carried && !terms->open)
+        return;
+    struct hard_arm *arm = &contacts->arm[r];
+    *arm = (struct hard_arm){.relax = terms->relax};
+    for (int e = 0; e < 2; e++) {
+        double along = e ? -row->lever[1] : row->lever[0];
+        if (sphere[e] == UINT32_MAX)
+            continue;
+        if (hard_clumps_carries(scene->clumps, sphere[e])) {
+            hard_clumps_lever(scene->clumps, sphere[e], arm->lever[e]);
+            arm->turn[e] = hard_clumps_turn(scene->clumps, sphere[e]);
+        }
+        for (int d = 0; d < 3; d++)
+            arm->lever[e][d] += along * row->normal[d];
+    }
+    row->arm = arm;
+}
+
+bool hard_contacts_near(const struct hard_pairs *pairs, const struct hard_scene *scene,
+                        const struct hard_pace *pace, size_t m) {
     const uint32_t *end = pairs->end[m];
     const struct particle_state *state = scene->particles->state;
     double apart[3], distance;
-    return separate(pairs, scene, m, apart, &distance) < pace->near &&
+    return hard_contacts_separate(pairs, scene, m, apart, &distance) < pace->near &&
            state[end[0]].inverse_mass + state[end[1]].inverse_mass > 0.0 && distance > 0.0;
 }
 
-static void pair_fill(struct hard_row *row, const struct hard_problem *problem,
+static void pair_fill(struct hard_contacts *contacts, const struct hard_problem *problem, size_t r,
                       const struct hard_pairs *pairs, const struct hard_scene *scene,
                       const struct hard_terms *terms, const struct hard_pace *pace, size_t m) {
-    double apart[3], distance, gap = separate(pairs, scene, m, apart, &distance), radius[2];
+    double apart[3], distance, gap = hard_contacts_separate(pairs, scene, m, apart, &distance);
+    struct hard_row *row = &problem->row[r];
+    struct ends ends = {.light = 0.0};
     int material[2];
-    *row = (struct hard_row){.body = {pairs->end[m][0], pairs->end[m][1]}, .gap = gap};
+    *row = (struct hard_row){.gap = gap};
     for (int e = 0; e < 2; e++) {
-        radius[e] = scene->particles->state[row->body[e]].radius;
-        material[e] = material_number(scene, row->body[e]);
-        row->lever[e] = radius[e] + 0.5 * gap;
+        const struct particle_state *state = &scene->particles->state[pairs->end[m][e]];
+        row->body[e] = hard_clumps_carrier(scene->clumps, pairs->end[m][e]);
+        ends.radius[e] = state->radius;
+        ends.light += state->inverse_mass;
+        material[e] = material_number(scene, pairs->end[m][e]);
+        row->lever[e] = ends.radius[e] + 0.5 * gap;
     }
     for (int d = 0; d < 3; d++)
         row->normal[d] = apart[d] / distance;
-    row_finish(row, problem, terms, hard_term_of(terms, material[0], material[1]), pace, radius,
+    arm_make(contacts, row, r, scene, terms, pairs->end[m]);
+    row_finish(row, problem, terms, hard_term_of(terms, material[0], material[1]), pace, &ends,
                &pairs->memory[m]);
 }
 
@@ -168,26 +207,30 @@ static void pairs_find(struct hard_contacts *contacts, struct hard_problem *prob
                        const struct hard_scene *scene, const struct hard_terms *terms,
                        const struct hard_pace *pace) {
     const struct hard_colours *colours = &pairs->colours;
+    const uint8_t *dropped = contacts->dropped;
     size_t rows = 0;
     hard_problem_reserve(problem, 0, 0, colours->cuts + 1);
 #pragma omp parallel for schedule(static)
     for (size_t k = 0; k < colours->cuts; k++) {
         problem->cut[k + 1] = 0;
         for (size_t m = colours->cut[k]; m < colours->cut[k + 1]; m++)
-            problem->cut[k + 1] += is_near(pairs, scene, pace, m);
+            problem->cut[k + 1] += hard_contacts_near(pairs, scene, pace, m) && !(dropped && dropped[m]);
     }
     for (size_t k = 0; k < colours->cuts; k++) {
         rows += problem->cut[k + 1];
         problem->cut[k + 1] = rows;
     }
     hard_problem_reserve(problem, 0, rows, 0);
+    if (scene->clumps->links || terms->open)
+        contacts->arm = hard_problem_grow(contacts->arm, &contacts->arm_room, rows + contacts->walls,
+                                          sizeof *contacts->arm);
     contacts->pair = hard_problem_grow(contacts->pair, &contacts->pair_room, rows, sizeof *contacts->pair);
 #pragma omp parallel for schedule(static)
     for (size_t k = 0; k < colours->cuts; k++) {
         size_t r = problem->cut[k];
         for (size_t m = colours->cut[k]; m < colours->cut[k + 1]; m++) {
-            if (is_near(pairs, scene, pace, m)) {
-                pair_fill(&problem->row[r], problem, pairs, scene, terms, pace, m);
+            if (hard_contacts_near(pairs, scene, pace, m) && !(dropped && dropped[m])) {
+                pair_fill(contacts, problem, r, pairs, scene, terms, pace, m);
                 contacts->pair[r++] = (uint32_t)m;
             }
             pairs->memory[m] = (struct hard_memory){0};
@@ -241,9 +284,9 @@ static void walls_recall(struct hard_contacts *contacts) {
     contacts->pasts = 0;
 }
 
-static void wall_fill(struct hard_problem *problem, const struct hard_wall_contact *contact, size_t r,
-                      const struct hard_scene *scene, const struct hard_terms *terms,
-                      const struct hard_pace *pace) {
+static void wall_fill(struct hard_contacts *contacts, struct hard_problem *problem,
+                      const struct hard_wall_contact *contact, size_t r, const struct hard_scene *scene,
+                      const struct hard_terms *terms, const struct hard_pace *pace) {
     const struct wall_place *place = &contact->place;
     struct hard_row *row = &problem->row[r];
     double radius = scene->particles->state[place->particle].radius;
@@ -251,26 +294,38 @@ static void wall_fill(struct hard_problem *problem, const struct hard_wall_conta
     int material = material_number(scene, place->particle);
     problem->body[body] =
         (struct hard_body){.v = {place->velocity[0], place->velocity[1], place->velocity[2]}};
-    *row = (struct hard_row){.body = {(uint32_t)place->particle, body},
+    const uint32_t sphere[2] = {(uint32_t)place->particle, UINT32_MAX};
+    *row = (struct hard_row){.body = {hard_clumps_carrier(scene->clumps, sphere[0]), body},
                              .normal = {place->normal[0], place->normal[1], place->normal[2]},
                              .lever = {fmax(0.0, radius + place->gap), 0.0},
                              .gap = place->gap};
+    arm_make(contacts, row, r, scene, terms, sphere);
     row_finish(row, problem, terms, hard_term_of(terms, material, scene->wall_material[place->wall]), pace,
-               (double[2]){radius, INFINITY}, &contact->memory);
+               &(struct ends){{radius, INFINITY}, scene->particles->state[place->particle].inverse_mass},
+               &contact->memory);
+}
+
+void hard_contacts_ends(const struct hard_contacts *contacts, const struct hard_pairs *pairs, size_t r,
+                        size_t end[2]) {
+    bool wall = r >= contacts->pair_rows;
+    end[0] = wall ? contacts->wall[r - contacts->pair_rows].place.particle : pairs->end[contacts->pair[r]][0];
+    end[1] = wall ? SIZE_MAX : pairs->end[contacts->pair[r]][1];
 }
 
 void hard_contacts_find(struct hard_contacts *contacts, struct hard_problem *problem,
                         struct hard_pairs *pairs, const struct hard_scene *scene,
                         const struct hard_terms *terms, const struct hard_pace *pace) {
     hard_problem_begin(problem, pace->dt);
-    pairs_find(contacts, problem, pairs, scene, terms, pace);
     walls_find(contacts, scene, pace->near);
     walls_recall(contacts);
+    if (scene->clumps->links)
+        hard_contacts_thin(contacts, pairs, scene, pace);
+    pairs_find(contacts, problem, pairs, scene, terms, pace);
     hard_problem_reserve(problem, problem->bodies + contacts->walls, problem->rows + contacts->walls,
                          problem->cuts + contacts->walls);
     for (size_t k = 0, in_cut = 1; k < contacts->walls; k++, in_cut++) {
         bool last = k + 1 == contacts->walls;
-        wall_fill(problem, &contacts->wall[k], problem->rows++, scene, terms, pace);
+        wall_fill(contacts, problem, &contacts->wall[k], problem->rows++, scene, terms, pace);
         if (last || (in_cut >= WALL_CUT &&
                      contacts->wall[k + 1].place.particle != contacts->wall[k].place.particle)) {
             problem->cut[++problem->cuts] = problem->rows;
@@ -278,92 +333,4 @@ void hard_contacts_find(struct hard_contacts *contacts, struct hard_problem *pro
         }
     }
     hard_problem_end_colour(problem);
-}
-
-/* An impact is over in a step: the next one begins without it. */
-static struct hard_memory memory_of(const struct hard_row *row, const struct hard_pace *pace) {
-    struct hard_memory memory = {0};
-    if (row->impact)
-        return memory;
-    memory.push = row->p / pace->duration;
-    for (int d = 0; d < 3; d++)
-        memory.rub[d] = row->q[d] / pace->duration;
-    return memory;
-}
-
-void hard_contacts_remember(struct hard_contacts *contacts, const struct hard_problem *problem,
-                            struct hard_pairs *pairs, const struct hard_pace *pace) {
-#pragma omp parallel for schedule(static)
-    for (size_t r = 0; r < contacts->pair_rows; r++)
-        pairs->memory[contacts->pair[r]] = memory_of(&problem->row[r], pace);
-    contacts->past =
-        hard_problem_grow(contacts->past, &contacts->past_room, contacts->walls, sizeof *contacts->past);
-    for (size_t k = 0; k < contacts->walls; k++) {
-        const struct wall_place *place = &contacts->wall[k].place;
-        struct hard_memory memory = memory_of(&problem->row[contacts->pair_rows + k], pace);
-        if (memory.push > 0.0)
-            contacts->past[contacts->pasts++] =
-                (struct hard_wall_memory){(uint32_t)place->particle, place->wall, place->feature, memory};
-    }
-}
-
-void hard_contacts_rename(struct history_rows *rows, const int *now, int walls, size_t owned) {
-    for (size_t r = 0; rows->start && r < rows->start[owned]; r++) {
-        struct history_row *row = &rows->row[r];
-        if (row->partner >= 0)
-            continue;
-        int wall = wall_row_wall(row) < walls ? now[wall_row_wall(row)] : -1;
-        if (wall >= 0)
-            row->partner = wall_row_partner(wall, wall_row_feature(row));
-        else
-            row->value[3] = 0.0;
-    }
-}
-
-void hard_contacts_detach(const struct hard_contacts *contacts, struct hard_pairs *pairs,
-                          const struct pairlist *list, const struct particles *particles) {
-    struct history_rows *rows = &pairs->rows, all = {0};
-    if (rows->start)
-        return;
-    hard_pairs_detach(pairs, list, particles);
-    all.start = memory_allocate(particles->owned + 1, sizeof *all.start, what);
-    all.row = memory_allocate(rows->count + contacts->pasts, sizeof *all.row, what);
-    for (size_t k = 0, p = 0; k < particles->owned; k++) {
-        all.start[k] = all.count;
-        for (size_t r = rows->start[k]; r < rows->start[k + 1]; r++, all.count++) {
-            all.row[all.count] = rows->row[r];
-            for (int c = HARD_MEMORY; c < HISTORY_COMPONENTS_USUAL; c++)
-                all.row[all.count].value[c] = 0.0;
-        }
-        for (; p < contacts->pasts && contacts->past[p].particle == k; p++) {
-            const struct hard_wall_memory *past = &contacts->past[p];
-            const double *rub = past->memory.rub;
-            all.row[all.count++] =
-                (struct history_row){.id = particles->id[k],
-                                     .partner = wall_row_partner(past->wall, past->feature),
-                                     .value = {rub[0], rub[1], rub[2], past->memory.push}};
-        }
-    }
-    all.start[particles->owned] = all.count;
-    history_rows_free(rows);
-    *rows = all;
-}
-
-void hard_contacts_attach(struct hard_contacts *contacts, const struct hard_pairs *pairs,
-                          const struct particles *particles) {
-    const struct history_rows *rows = &pairs->rows;
-    contacts->pasts = contacts->walls = 0;
-    for (size_t k = 0; rows->start && k < particles->owned; k++)
-        for (size_t r = rows->start[k]; r < rows->start[k + 1]; r++) {
-            const struct history_row *row = &rows->row[r];
-            if (row->partner >= 0 || !(row->value[3] > 0.0)) /* of a pair, or of a wall that is gone */
-                continue;
-            contacts->past = hard_problem_grow(contacts->past, &contacts->past_room, contacts->pasts + 1,
-                                               sizeof *contacts->past);
-            contacts->past[contacts->pasts++] = (struct hard_wall_memory){
-                .particle = (uint32_t)k,
-                .wall = wall_row_wall(row),
-                .feature = wall_row_feature(row),
-                .memory = {row->value[3], {row->value[0], row->value[1], row->value[2]}}};
-        }
 }

@@ -10,7 +10,9 @@
 #define SCREE_HARD_CONTACTS_H
 
 #include "physics/hard/pairs.h"
+#include "physics/hard/models.h"
 #include "physics/hard/problem.h"
+#include "physics/hard/thin.h"
 #include "physics/grains/walls/wall.h"
 
 struct hard_term {
@@ -24,6 +26,8 @@ struct hard_terms {
     double kappa;
     double repair; /* largest release of an overlap in a step, over the smaller radius; rigid contacts */
     bool hertz;
+    hard_relaxation *relax; /* of contacts with a body of spheres */
+    bool open;              /* of all contacts: spheres have no closed form in this model */
     int materials;
     struct hard_term *pair; /* materials x materials */
 };
@@ -52,6 +56,7 @@ struct hard_scene {
     const int *wall_material;
     struct walls *walls; /* NULL: none */
     const struct pairlist *list;
+    const struct hard_clumps *clumps;
     int threads;
 };
 
@@ -70,6 +75,12 @@ struct hard_contacts {
     struct hard_wall_contact *wall; /* of the rows behind those of pairs, by particle */
     struct hard_wall_memory *past;  /* of the last step, by particle */
     size_t pasts, past_room;
+    struct hard_arm *arm; /* of each row, where bodies or the model ask for them */
+    size_t arm_room;
+    uint8_t *dropped; /* of each pair: other contacts of its bodies stand for it (thin.h) */
+    size_t dropped_room;
+    struct hard_point *point;
+    size_t point_room;
     struct hard_wall_found {
         size_t count, room;
         struct wall_place *place;
@@ -85,6 +96,21 @@ void hard_contacts_free(struct hard_contacts *contacts, int threads);
 void hard_contacts_find(struct hard_contacts *contacts, struct hard_problem *problem,
                         struct hard_pairs *pairs, const struct hard_scene *scene,
                         const struct hard_terms *terms, const struct hard_pace *pace);
+
+/* The separation of the spheres of pair m, from the first to the second, and its length; returns the gap. True if they may
+ * touch in the step. Any thread. */
+double hard_contacts_separate(const struct hard_pairs *pairs, const struct hard_scene *scene, size_t m,
+                              double apart[3], double *distance);
+bool hard_contacts_near(const struct hard_pairs *pairs, const struct hard_scene *scene,
+                        const struct hard_pace *pace, size_t m);
+
+/* Drops those of contacts->wall, and marks those pairs, for which other contacts of the same bodies stand. One thread. */
+void hard_contacts_thin(struct hard_contacts *contacts, const struct hard_pairs *pairs,
+                        const struct hard_scene *scene, const struct hard_pace *pace);
+
+/* The particles of row r, of which bodies may be carried; behind the rows of pairs SIZE_MAX for the wall. */
+void hard_contacts_ends(const struct hard_contacts *contacts, const struct hard_pairs *pairs, size_t r,
+                        size_t end[2]);
 
 /* Turns what contacts remember into rows of the pairs (pairs.h), those with walls with a negative partner; takes these back
  * before hard_pairs_make. */

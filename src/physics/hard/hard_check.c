@@ -83,9 +83,10 @@ bool hard_check(const struct physics_context *context, struct error *error) {
     if (scene->reproducible)
         return scene_fail(scene, error, "reproducible", with, "false");
     for (int k = 0; k < PHYSICS_COUNT; k++)
-        if (scene->physics_given[k] && k != PHYSICS_hard && !only_looks(physics_get((enum physics_number)k)))
+        if (scene->physics_given[k] && k != PHYSICS_hard && k != PHYSICS_bodies &&
+            !only_looks(physics_get((enum physics_number)k)))
             return scene_fail(scene, error, physics_key((enum physics_number)k), with,
-                              "physics that only look at grains");
+                              "bodies, and physics that only look at grains");
     for (int w = 0; w < scene->walls; w++)
         for (int m = 0; m < scene->wall[w].motions; m++)
             if (scene->wall[w].motion[m].kind == WALL_SERVO) {

@@ -29,8 +29,10 @@ static void terms_make(struct hard_terms *terms, const struct physics_context *c
     const struct law *law = &grains_of(context->set)->law;
     const struct law_form *form = law_form_of(&law->options);
     bool stiff = law_has_trait(law->options.normal, "stiff");
-    *terms = (struct hard_terms){
-        .kappa = stiff ? options->kappa : 0.0, .repair = options->repair, .hertz = !stiff && !form->linear};
+    *terms = (struct hard_terms){.kappa = stiff ? options->kappa : 0.0,
+                                 .repair = options->repair,
+                                 .hertz = !stiff && !form->linear,
+                                 .relax = hard_relax_model(HARD_MODEL_COULOMB)->relax};
     terms->materials = scene->materials;
     terms->pair = memory_allocate_zero((size_t)(scene->materials * scene->materials), sizeof *terms->pair,
                                        "hard contacts");
@@ -78,6 +80,7 @@ static void destroy(void *self) {
     hard_contacts_free(&hard->solver.contacts, hard->solver.threads);
     hard_problem_free(&hard->solver.problem);
     hard_border_free(&hard->solver.border);
+    hard_clumps_free(&hard->solver.clumps);
     memory_free(hard->solver.terms.pair);
     memory_free(hard);
 }
@@ -98,6 +101,7 @@ static struct hard_input input_of(const struct physics_context *context) {
                                          .wall_material = hard->wall_material,
                                          .walls = grains_walls(context),
                                          .list = context->list[0],
+                                         .clumps = &hard->solver.clumps,
                                          .threads = context->threads},
                                .particles = context->particles,
                                .prescribed = prescribes(grains_motion(context)),
@@ -122,9 +126,10 @@ static void rebuilt(const struct physics_context *context) {
     solver->border.ghosts = context->ghosts;
     solver->border.particles = context->particles;
     solver->border.field = fields_find(context->particles, "contact_velocity");
+    hard_clumps_link(&solver->clumps, context);
     hard_contacts_attach(&solver->contacts, &solver->pairs, context->particles);
     hard_pairs_make(&solver->pairs, context->list[0], context->particles, context->box,
-                    context->scene->ghosts.newton);
+                    context->scene->ghosts.newton, &solver->clumps);
 }
 
 /* The reach that the present speeds ask for, with room to grow; true if it differs much from the present one. */

@@ -76,9 +76,10 @@ static void bodies_make(struct hard_solver *solver, const struct hard_input *inp
                 2.5 * p->state[k].inverse_mass / (p->state[k].radius * p->state[k].radius);
         }
     }
-    hard_border_send(&solver->border, problem);
     most[0] = sqrt(square);
     most[1] = sqrt(pull);
+    most[0] = fmax(most[0], hard_clumps_set(&solver->clumps, problem, &most[1]));
+    hard_border_send(&solver->border, problem);
     comm_max(solver->comm, most, 2);
 }
 
@@ -115,6 +116,10 @@ static void iterate(struct hard_solver *solver, struct hard_result *result) {
     hard_border_split(&solver->border, problem, false);
 }
 
+static const double *gathered_of(const void *border, size_t k) {
+    return hard_border_gathered(border, k);
+}
+
 /* Forces on the owned grains; adds the work that they take, with the mean of the velocities before and after the step.
  * Those on grains whose motion is prescribed are sums over rows, as no velocity tells them. */
 static void forces_give(struct hard_solver *solver, const struct hard_input *input,
@@ -143,7 +148,7 @@ static void forces_give(struct hard_solver *solver, const struct hard_input *inp
             lost -= 0.5 * impulse * (w[d] + after->w[d]);
         }
     }
-    result->lost += lost;
+    result->lost += lost + hard_clumps_give(&solver->clumps, &solver->problem, gathered_of, &solver->border);
 }
 
 /* Forces on walls; their work on grains is no loss. */
@@ -177,15 +182,17 @@ static void account(const struct hard_solver *solver, const struct hard_input *i
     for (size_t r = 0; r < solver->problem.rows; r++) {
         const struct hard_row *row = &solver->problem.row[r];
         bool wall = r >= solver->contacts.pair_rows;
-        double smaller = p->state[row->body[0]].radius;
+        size_t end[2];
+        hard_contacts_ends(&solver->contacts, &solver->pairs, r, end);
+        double smaller = p->state[end[0]].radius;
         if (!wall)
-            smaller = fmin(smaller, p->state[row->body[1]].radius);
+            smaller = fmin(smaller, p->state[end[1]].radius);
         if (-row->gap / smaller > result->overlap) {
             result->overlap = -row->gap / smaller;
-            result->overlap_id[0] = p->id[row->body[0]];
+            result->overlap_id[0] = p->id[end[0]];
             result->overlap_id[1] =
                 wall ? -(int64_t)(solver->contacts.wall[r - solver->contacts.pair_rows].place.wall + 1)
-                     : p->id[row->body[1]];
+                     : p->id[end[1]];
         }
         result->contacts += row->p > 0.0;
         double stored[2];
@@ -208,12 +215,12 @@ size_t hard_solver_list(const struct hard_solver *solver, const struct particles
         struct force_contact *contact = &(*contacts)[count];
         if (!(row->p > 0.0))
             continue;
-        *contact = (struct force_contact){.id_i = particles->id[row->body[0]],
-                                          .overlap = -row->gap,
-                                          .number_i = row->body[0],
-                                          .number_j = walls ? SIZE_MAX : row->body[1]};
+        size_t at[2];
+        hard_contacts_ends(&solver->contacts, &solver->pairs, r, at);
+        *contact = (struct force_contact){
+            .id_i = particles->id[at[0]], .overlap = -row->gap, .number_i = at[0], .number_j = at[1]};
         contact->id_j =
-            walls ? -(int64_t)(solver->contacts.wall[r - pairs].place.wall + 1) : particles->id[row->body[1]];
+            walls ? -(int64_t)(solver->contacts.wall[r - pairs].place.wall + 1) : particles->id[at[1]];
         memcpy(contact->normal, row->normal, sizeof contact->normal);
         pull_of(row, solver->duration, contact->branch, contact->force);
         count++;
@@ -228,6 +235,7 @@ void hard_solver_step(struct hard_solver *solver, const struct hard_input *input
     solver->duration = input->duration;
     history_rows_free(&solver->pairs.rows); /* of a checkpoint */
     double most[2];
+    hard_clumps_begin(&solver->clumps, input->duration);
     bodies_make(solver, input, most);
     result->fastest = most[0];
     const struct hard_pace pace = {.dt = input->dt,

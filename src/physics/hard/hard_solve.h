@@ -47,6 +47,7 @@ struct hard_solver {
     struct hard_contacts contacts;
     struct hard_problem problem;
     struct hard_border border;
+    struct hard_clumps clumps;
     double duration; /* of the impulses of the last step */
     double reach;    /* the pair list has all gaps up to this one */
     int threads;

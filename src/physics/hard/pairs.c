@@ -100,16 +100,37 @@ static void attach(struct hard_pairs *pairs, const struct pairlist *list, const 
     history_rows_free(&pairs->rows);
 }
 
+/* The colours of pairs whose members act on the bodies that carry them. */
+static void colours_carried(struct hard_colours *colours, size_t count, const uint32_t (*end)[2],
+                            const uint8_t *image, const struct particles *p,
+                            const struct hard_clumps *clumps) {
+    uint32_t(*carrier)[2] = memory_allocate(count, sizeof *carrier, what);
+    int64_t(*tie)[2] = memory_allocate(count, sizeof *tie, what);
+#pragma omp parallel for schedule(static)
+    for (size_t k = 0; k < count; k++)
+        for (int e = 0; e < 2; e++) {
+            carrier[k][e] = hard_clumps_carrier(clumps, end[k][e]);
+            tie[k][e] = p->id[end[k][e]];
+        }
+    hard_colours_make(colours, count, (const uint32_t(*)[2])carrier, image, (const int64_t(*)[2])tie,
+                      p->owned + p->ghosts, p->id);
+    memory_free(carrier);
+    memory_free(tie);
+}
+
 void hard_pairs_make(struct hard_pairs *pairs, const struct pairlist *list, const struct particles *particles,
-                     const struct box *box, bool newton) {
+                     const struct box *box, bool newton, const struct hard_clumps *clumps) {
     size_t room = list->pair_count;
     uint32_t(*end)[2] = memory_allocate(room, sizeof *end, what);
     uint32_t *number = memory_allocate(room, sizeof *number, what);
     uint8_t *image = memory_allocate(room, 1, what);
     size_t count = collect(list, particles, newton, end, image, number);
     arrays_free(pairs);
-    hard_colours_make(&pairs->colours, count, (const uint32_t(*)[2])end, image,
-                      particles->owned + particles->ghosts, particles->id);
+    if (clumps->links)
+        colours_carried(&pairs->colours, count, (const uint32_t(*)[2])end, image, particles, clumps);
+    else
+        hard_colours_make(&pairs->colours, count, (const uint32_t(*)[2])end, image, NULL,
+                          particles->owned + particles->ghosts, particles->id);
     pairs->end = memory_allocate(count, sizeof *end, what);
     pairs->image = memory_allocate(count, 1, what);
     pairs->number = memory_allocate(count, sizeof *number, what);

@@ -7,6 +7,7 @@
 #ifndef SCREE_HARD_PAIRS_H
 #define SCREE_HARD_PAIRS_H
 
+#include "physics/hard/clumps.h"
 #include "physics/hard/colour.h"
 #include "kernel/pairs/history.h"
 #include "kernel/particles/box.h"
@@ -32,10 +33,10 @@ struct hard_pairs {
 void hard_pairs_create(struct hard_pairs *pairs, int threads);
 void hard_pairs_free(struct hard_pairs *pairs);
 
-/* Takes the pairs of a new list, with the memory that `rows` has, which are released. One thread opens teams of its
- * own. */
+/* Takes the pairs of a new list, with the memory that `rows` has, which are released. Colours are those of bodies, of which a pair
+ * of members has the bodies that carry these. One thread opens teams of its own. */
 void hard_pairs_make(struct hard_pairs *pairs, const struct pairlist *list, const struct particles *particles,
-                     const struct box *box, bool newton);
+                     const struct box *box, bool newton, const struct hard_clumps *clumps);
 
 /* Turns what contacts remember into rows, unless rows are there already. */
 void hard_pairs_detach(struct hard_pairs *pairs, const struct pairlist *list,

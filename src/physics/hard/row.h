@@ -22,15 +22,9 @@
 #ifndef SCREE_HARD_ROW_H
 #define SCREE_HARD_ROW_H
 
-#include <math.h>
+#include "physics/hard/arm.h"
 #include <stdbool.h>
 #include <stdint.h>
-
-/* A body: velocity and spin, 1/mass and 1/moment of inertia. A wall has zeros for these. */
-struct hard_body {
-    double v[3], lightness;
-    double w[3], swing;
-};
 
 /* A contact. Lengths, velocities and impulses in the units of the scene. */
 struct hard_row {
@@ -52,24 +46,29 @@ struct hard_row {
         impact; /* a new contact that approaches so fast that it rebounds; the next step begins without its impulses */
     double p, q[3];
     double hold[3];
+    const struct hard_arm *arm; /* of a contact that is not one of spheres alone; else NULL */
 };
 
-static inline double hard_dot(const double a[3], const double b[3]) {
-    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
+/* Of a row with an arm (general.c): the mean of W in the tangent plane; the impulses that hard_wish and hard_rebound find. */
+double hard_general_slide(const struct hard_row *row, const struct hard_body *a, const struct hard_body *b);
+void hard_general_wish(struct hard_row *row, double dt, const struct hard_body *a, const struct hard_body *b,
+                       double *p, double q[3]);
+double hard_general_rebound(const struct hard_row *row, const struct hard_body *a, const struct hard_body *b,
+                            double q[3]);
 
-static inline void hard_cross(const double a[3], const double b[3], double out[3]) {
-    out[0] = a[1] * b[2] - a[2] * b[1];
-    out[1] = a[2] * b[0] - a[0] * b[2];
-    out[2] = a[0] * b[1] - a[1] * b[0];
-}
-
-/* Change of the relative normal velocity by a unit impulse; the same for a tangential one. */
-static inline double hard_push(const struct hard_body *a, const struct hard_body *b) {
-    return a->lightness + b->lightness;
+/* Change of the relative normal velocity by a unit impulse; the same for a tangential one, of two directions the mean. */
+static inline double hard_push(const struct hard_row *row, const struct hard_body *a,
+                               const struct hard_body *b) {
+    double u[3];
+    if (row->arm == NULL)
+        return a->lightness + b->lightness;
+    hard_arm_change(row->arm, a, b, row->normal, u);
+    return hard_dot(u, row->normal);
 }
 static inline double hard_slide(const struct hard_row *row, const struct hard_body *a,
                                 const struct hard_body *b) {
+    if (row->arm)
+        return hard_general_slide(row, a, b);
     return (a->lightness + b->lightness) +
            (row->lever[0] * row->lever[0] * a->swing + row->lever[1] * row->lever[1] * b->swing);
 }
@@ -78,6 +77,10 @@ static inline double hard_slide(const struct hard_row *row, const struct hard_bo
 static inline void hard_velocity(const struct hard_row *row, const struct hard_body *a,
                                  const struct hard_body *b, double u[3]) {
     double turn[3], rolled[3];
+    if (row->arm) {
+        hard_arm_velocity(row->arm, a, b, u);
+        return;
+    }
     for (int d = 0; d < 3; d++)
         turn[d] = row->lever[0] * a->w[d] + row->lever[1] * b->w[d];
     hard_cross(turn, row->normal, rolled);
@@ -89,6 +92,12 @@ static inline void hard_velocity(const struct hard_row *row, const struct hard_b
 static inline void hard_apply(const struct hard_row *row, struct hard_body *a, struct hard_body *b, double p,
                               const double q[3]) {
     double turn[3];
+    if (row->arm) {
+        const double impulse[3] = {p * row->normal[0] + q[0], p * row->normal[1] + q[1],
+                                   p * row->normal[2] + q[2]};
+        hard_arm_apply(row->arm, a, b, impulse);
+        return;
+    }
     hard_cross(row->normal, q, turn);
     for (int d = 0; d < 3; d++) {
         double impulse = p * row->normal[d] + q[d];
@@ -97,6 +106,20 @@ static inline void hard_apply(const struct hard_row *row, struct hard_body *a, s
         a->w[d] -= row->lever[0] * a->swing * turn[d];
         b->w[d] -= row->lever[1] * b->swing * turn[d];
     }
+}
+
+/* The impulse on end e of a row, and its moment about the centre of the body. */
+static inline void hard_impulse(const struct hard_row *row, int e, double impulse[6]) {
+    double sign = e ? 1.0 : -1.0, turn[3];
+    for (int d = 0; d < 3; d++)
+        impulse[d] = sign * (row->p * row->normal[d] + row->q[d]);
+    if (row->arm) {
+        hard_cross(row->arm->lever[e], impulse, impulse + 3);
+        return;
+    }
+    hard_cross(row->normal, row->q, turn);
+    for (int d = 0; d < 3; d++)
+        impulse[3 + d] = -row->lever[e] * turn[d];
 }
 
 /* The normal impulse of a row of Hertz: the root of y (1 + a c) + a dt k y^(3/2) = -(gap + dt u_free) - a c gap,
@@ -122,7 +145,11 @@ static inline double hard_hertz(struct hard_row *row, double dt, double a, doubl
 /* The impulses that the row wants while those of all others stay: a visit without its effect on the bodies. */
 static inline void hard_wish(struct hard_row *row, double dt, const struct hard_body *a,
                              const struct hard_body *b, double *p, double q[3]) {
-    double u[3], push = hard_push(a, b), soft_t = row->soft_t;
+    if (row->arm) {
+        hard_general_wish(row, dt, a, b, p, q);
+        return;
+    }
+    double u[3], push = hard_push(row, a, b), soft_t = row->soft_t;
     hard_velocity(row, a, b, u);
     double u_n = hard_dot(u, row->normal), free = u_n - push * row->p;
     q[0] = q[1] = q[2] = 0.0;
@@ -192,9 +219,14 @@ static inline bool hard_rebounds(const struct hard_row *row) {
 /* A visit of the pass of restitution: the relative normal velocity becomes restitution x approach; the tangential row
  * is rigid. */
 static inline void hard_rebound(struct hard_row *row, struct hard_body *a, struct hard_body *b) {
-    double u[3], q[3], square = 0.0, push = hard_push(a, b), slide = hard_slide(row, a, b);
+    double u[3], q[3], square = 0.0, push = hard_push(row, a, b), slide = hard_slide(row, a, b);
     if (!(push > 0.0))
         return;
+    if (row->arm) {
+        double p = hard_general_rebound(row, a, b, q);
+        hard_change(row, a, b, p, q);
+        return;
+    }
     hard_velocity(row, a, b, u);
     double u_n = hard_dot(u, row->normal);
     double p = fmax(0.0, row->p + (row->restitution * row->approach - u_n) / push);

@@ -23,7 +23,7 @@ static struct hard_body sphere(double mass, double radius, const double v[3]) {
 static struct hard_row contact(const struct hard_body *body, uint32_t a, uint32_t b, double kappa) {
     struct hard_row row = {
         .body = {a, b}, .normal = {0, 0, 1}, .lever = {1, 1}, .release = INFINITY, .friction = 0.0};
-    row.soft_n = hard_push(&body[a], &body[b]) / kappa;
+    row.soft_n = hard_push(&row, &body[a], &body[b]) / kappa;
     row.soft_t = hard_slide(&row, &body[a], &body[b]) / kappa;
     return row;
 }
@@ -293,7 +293,7 @@ static void test_colours(void **state) {
         struct hard_colours colours;
         size_t count = 0;
         pairs_make(end, image, strides[turn]);
-        hard_colours_make(&colours, PAIRS, (const uint32_t(*)[2])end, image, PARTICLES, id);
+        hard_colours_make(&colours, PAIRS, (const uint32_t(*)[2])end, image, NULL, PARTICLES, id);
         for (int c = 0; c < colours.colours; c++) {
             memset(seen, 0, sizeof seen);
             for (size_t k = colours.colour[c]; k < colours.colour[c + 1]; k++)

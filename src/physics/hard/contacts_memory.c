@@ -1,0 +1,94 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
+/* What contacts remember: from the solved rows, and over rebuilds. Read contacts.h first. */
+#include "physics/hard/contacts.h"
+#include "base/memory.h"
+
+static const char what[] = "contacts of a step";
+
+/* An impact is over in a step: the next one begins without it. */
+static struct hard_memory memory_of(const struct hard_row *row, const struct hard_pace *pace) {
+    struct hard_memory memory = {0};
+    if (row->impact)
+        return memory;
+    memory.push = row->p / pace->duration;
+    for (int d = 0; d < 3; d++)
+        memory.rub[d] = row->q[d] / pace->duration;
+    return memory;
+}
+
+void hard_contacts_remember(struct hard_contacts *contacts, const struct hard_problem *problem,
+                            struct hard_pairs *pairs, const struct hard_pace *pace) {
+#pragma omp parallel for schedule(static)
+    for (size_t r = 0; r < contacts->pair_rows; r++)
+        pairs->memory[contacts->pair[r]] = memory_of(&problem->row[r], pace);
+    contacts->past =
+        hard_problem_grow(contacts->past, &contacts->past_room, contacts->walls, sizeof *contacts->past);
+    for (size_t k = 0; k < contacts->walls; k++) {
+        const struct wall_place *place = &contacts->wall[k].place;
+        struct hard_memory memory = memory_of(&problem->row[contacts->pair_rows + k], pace);
+        if (memory.push > 0.0)
+            contacts->past[contacts->pasts++] =
+                (struct hard_wall_memory){(uint32_t)place->particle, place->wall, place->feature, memory};
+    }
+}
+
+void hard_contacts_rename(struct history_rows *rows, const int *now, int walls, size_t owned) {
+    for (size_t r = 0; rows->start && r < rows->start[owned]; r++) {
+        struct history_row *row = &rows->row[r];
+        if (row->partner >= 0)
+            continue;
+        int wall = wall_row_wall(row) < walls ? now[wall_row_wall(row)] : -1;
+        if (wall >= 0)
+            row->partner = wall_row_partner(wall, wall_row_feature(row));
+        else
+            row->value[3] = 0.0;
+    }
+}
+
+void hard_contacts_detach(const struct hard_contacts *contacts, struct hard_pairs *pairs,
+                          const struct pairlist *list, const struct particles *particles) {
+    struct history_rows *rows = &pairs->rows, all = {0};
+    if (rows->start)
+        return;
+    hard_pairs_detach(pairs, list, particles);
+    all.start = memory_allocate(particles->owned + 1, sizeof *all.start, what);
+    all.row = memory_allocate(rows->count + contacts->pasts, sizeof *all.row, what);
+    for (size_t k = 0, p = 0; k < particles->owned; k++) {
+        all.start[k] = all.count;
+        for (size_t r = rows->start[k]; r < rows->start[k + 1]; r++, all.count++) {
+            all.row[all.count] = rows->row[r];
+            for (int c = HARD_MEMORY; c < HISTORY_COMPONENTS_USUAL; c++)
+                all.row[all.count].value[c] = 0.0;
+        }
+        for (; p < contacts->pasts && contacts->past[p].particle == k; p++) {
+            const struct hard_wall_memory *past = &contacts->past[p];
+            const double *rub = past->memory.rub;
+            all.row[all.count++] =
+                (struct history_row){.id = particles->id[k],
+                                     .partner = wall_row_partner(past->wall, past->feature),
+                                     .value = {rub[0], rub[1], rub[2], past->memory.push}};
+        }
+    }
+    all.start[particles->owned] = all.count;
+    history_rows_free(rows);
+    *rows = all;
+}
+
+void hard_contacts_attach(struct hard_contacts *contacts, const struct hard_pairs *pairs,
+                          const struct particles *particles) {
+    const struct history_rows *rows = &pairs->rows;
+    contacts->pasts = contacts->walls = 0;
+    for (size_t k = 0; rows->start && k < particles->owned; k++)
+        for (size_t r = rows->start[k]; r < rows->start[k + 1]; r++) {
+            const struct history_row *row = &rows->row[r];
+            if (row->partner >= 0 || !(row->value[3] > 0.0)) /* of a pair, or of a wall that is gone */
+                continue;
+            contacts->past = hard_problem_grow(contacts->past, &contacts->past_room, contacts->pasts + 1,
+                                               sizeof *contacts->past);
+            contacts->past[contacts->pasts++] = (struct hard_wall_memory){
+                .particle = (uint32_t)k,
+                .wall = wall_row_wall(row),
+                .feature = wall_row_feature(row),
+                .memory = {row->value[3], {row->value[0], row->value[1], row->value[2]}}};
+        }
+}

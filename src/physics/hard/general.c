@@ -1,0 +1,147 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
+/* The visit of a row with an arm: a contact of a rigid body, or one whose model has no closed form. Read row.h and models.h first. */
+#include "physics/hard/models.h"
+#include "physics/hard/row.h"
+#include <string.h>
+
+enum { HERTZ_STEPS = 20, SCALE_STEPS = 40 };
+
+/* A contact in its own frame. */
+struct framed {
+    double axis[3][3]; /* normal and two tangents */
+    double w[9];       /* change of the relative velocity by an impulse */
+    double free[3];    /* relative velocity without the contact's own impulses */
+    double p[3];       /* these */
+};
+
+static void tangents_make(double axis[3][3]) {
+    const double *n = axis[0];
+    int k = fabs(n[0]) < fabs(n[1]) ? 0 : 1;
+    if (fabs(n[2]) < fabs(n[k]))
+        k = 2;
+    double side[3] = {0.0, 0.0, 0.0}, length;
+    side[k] = 1.0;
+    hard_cross(n, side, axis[1]);
+    length = sqrt(hard_dot(axis[1], axis[1]));
+    for (int d = 0; d < 3; d++)
+        axis[1][d] /= length;
+    hard_cross(n, axis[1], axis[2]);
+}
+
+static void framed_make(struct framed *f, const struct hard_row *row, const struct hard_body *a,
+                        const struct hard_body *b) {
+    double u[3];
+    memcpy(f->axis[0], row->normal, sizeof row->normal);
+    tangents_make(f->axis);
+    f->p[0] = row->p;
+    f->p[1] = hard_dot(row->q, f->axis[1]);
+    f->p[2] = hard_dot(row->q, f->axis[2]);
+    for (int k = 0; k < 3; k++) {
+        hard_arm_change(row->arm, a, b, f->axis[k], u);
+        for (int d = 0; d < 3; d++)
+            f->w[3 * d + k] = hard_dot(f->axis[d], u);
+    }
+    hard_arm_velocity(row->arm, a, b, u);
+    for (int d = 0; d < 3; d++)
+        f->free[d] = hard_dot(f->axis[d], u) - hard_dot(f->w + 3 * d, f->p);
+}
+
+/* The impulse in the tangent plane. */
+static void framed_rub(const struct framed *f, double q[3]) {
+    for (int d = 0; d < 3; d++)
+        q[d] = f->p[1] * f->axis[1][d] + f->p[2] * f->axis[2][d];
+}
+
+double hard_general_slide(const struct hard_row *row, const struct hard_body *a, const struct hard_body *b) {
+    struct framed f;
+    framed_make(&f, row, a, b);
+    return 0.5 * (f.w[4] + f.w[8]);
+}
+
+/* Linear springs. An overlap is released no faster than the row allows. */
+static void linear(struct framed *f, const struct hard_row *row) {
+    struct hard_local local = {.friction = row->friction};
+    memcpy(local.a, f->w, sizeof local.a);
+    local.a[0] += row->soft_n;
+    local.a[4] += row->soft_t;
+    local.a[8] += row->soft_t;
+    local.c[0] = f->free[0] + row->bias;
+    for (int d = 1; d < 3; d++)
+        local.c[d] = f->free[d] - row->soft_t * hard_dot(row->hold, f->axis[d]);
+    row->arm->relax(&local, f->p);
+    if (f->p[0] > 0.0 && f->free[0] + hard_dot(f->w, f->p) > row->release) {
+        local.a[0] = f->w[0];
+        local.c[0] = f->free[0] - row->release;
+        row->arm->relax(&local, f->p);
+    }
+}
+
+/* Hertz's normal force and the tangential row, in turns. */
+static void hertzian(struct framed *f, struct hard_row *row, double dt) {
+    for (int k = 0; k < HERTZ_STEPS; k++) {
+        double last[3] = {f->p[0], f->p[1], f->p[2]}, a[3], c[2];
+        f->p[0] = hard_hertz(row, dt, f->w[0], f->free[0] + f->w[1] * f->p[1] + f->w[2] * f->p[2]);
+        double soft = row->deep > 0.0 && row->shear > 0.0 ? 1.0 / (row->shear * sqrt(row->deep)) : 0.0;
+        a[0] = f->w[4] + soft;
+        a[1] = f->w[5];
+        a[2] = f->w[8] + soft;
+        for (int d = 1; d < 3; d++)
+            c[d - 1] = f->free[d] + f->w[3 * d] * f->p[0] - soft * hard_dot(row->hold, f->axis[d]);
+        hard_relax_disc(a, c, row->friction * f->p[0], f->p + 1);
+        if (fabs(f->p[0] - last[0]) + fabs(f->p[1] - last[1]) + fabs(f->p[2] - last[2]) <= 1e-14 * f->p[0])
+            break;
+    }
+}
+
+void hard_general_wish(struct hard_row *row, double dt, const struct hard_body *a, const struct hard_body *b,
+                       double *p, double q[3]) {
+    struct framed f;
+    framed_make(&f, row, a, b);
+    *p = q[0] = q[1] = q[2] = 0.0;
+    if (!(f.w[0] > 0.0))
+        return;
+    if (row->hertz > 0.0)
+        hertzian(&f, row, dt);
+    else
+        linear(&f, row);
+    *p = f.p[0];
+    framed_rub(&f, q);
+}
+
+/* Energy that the impulses of a contact add. */
+static double gain(const struct framed *f) {
+    double sum = 0.0;
+    for (int d = 0; d < 3; d++)
+        sum += f->p[d] * (f->free[d] + 0.5 * hard_dot(f->w + 3 * d, f->p));
+    return sum;
+}
+
+/* The impulses after which the bodies part with this speed. */
+static void part(struct framed *f, const struct hard_row *row, double speed) {
+    struct hard_local local = {.friction = row->friction, .c = {f->free[0] - speed, f->free[1], f->free[2]}};
+    memcpy(local.a, f->w, sizeof local.a);
+    row->arm->relax(&local, f->p);
+}
+
+/* With friction, bodies that are no spheres might part with more energy than they had: then more slowly, so that an impact
+ * gains none. */
+double hard_general_rebound(const struct hard_row *row, const struct hard_body *a, const struct hard_body *b,
+                            double q[3]) {
+    struct framed f;
+    framed_make(&f, row, a, b);
+    double whole = row->restitution * row->approach, low = 0.0, high = 1.0;
+    part(&f, row, whole);
+    if (gain(&f) > 0.0) {
+        for (int k = 0; k < SCALE_STEPS; k++) {
+            double middle = 0.5 * (low + high);
+            part(&f, row, middle * whole);
+            if (gain(&f) > 0.0)
+                high = middle;
+            else
+                low = middle;
+        }
+        part(&f, row, low * whole);
+    }
+    framed_rub(&f, q);
+    return f.p[0];
+}
