@@ -127,6 +127,9 @@ static void files_print(const struct simulation *s, bool all, uint64_t steps) {
         file_print(all, "dump.lammpstrj", count, "frame", count * line);
     }
     wall_frames_print(s, all, steps);
+    if (output_interval_set(&output->contact_problems.every))
+        file_print(all, "contact-problem-STEP.hdf5", times(s, &output->contact_problems.every, steps), "file",
+                   0);
     if (output_interval_set(&output->observables.every))
         file_print(all, "observables.csv", times(s, &output->observables.every, steps), "row", 0);
     grids_print(s, all, steps);
@@ -140,7 +143,8 @@ static void files_print(const struct simulation *s, bool all, uint64_t steps) {
     printf(all ? "    report.json\n" : "\n");
     if (frames == 0 && !output_interval_set(&trajectory->contacts) &&
         !output_interval_set(&output->dump.every) && !output_interval_set(&output->observables.every) &&
-        !output_interval_set(&output->walls.every) && output->observables.grids == 0)
+        !output_interval_set(&output->walls.every) && !output_interval_set(&output->contact_problems.every) &&
+        output->observables.grids == 0)
         printf("    nothing else will be written: no trajectory, no dump, no observables\n");
     if (s->scene->insertions > 0)
         printf("    (particles that are inserted later come on top)\n");

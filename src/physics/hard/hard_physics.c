@@ -340,6 +340,7 @@ static const struct physics_limit limits = {
     .stays = true,
     .why = "a grain would move by half of the smallest radius in a step, or fall by 1/450 of it"};
 static const struct physics_record record = {.resume = resume};
+static const struct physics_table table = {.open = hard_file_open, .write = hard_file_write};
 static const struct physics_shown shown = {.report = report, .notes = notes};
 
 const struct physics hard_physics = {.name = "hard",
@@ -355,5 +356,6 @@ const struct physics hard_physics = {.name = "hard",
                                      .search = &search,
                                      .rows = &memory,
                                      .limit = &limits,
+                                     .table = &table,
                                      .shown = &shown,
                                      .record = &record};
