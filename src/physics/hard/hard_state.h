@@ -17,6 +17,7 @@ struct hard {
     int wall_material[WALLS_MAX];
     double smallest;     /* radius of free grains, over all ranks; INFINITY: none yet */
     double light, heavy; /* their masses, insertions left out */
+    double stiffness;    /* kappa / dt^2 of rigid contacts now, which follows the scene's; 0: no step yet */
     /* Since this program began. */
     uint64_t solves, sweeps, unmet; /* unmet: with a residual above the tolerance */
     double worst;                   /* residual */
