@@ -74,7 +74,16 @@ dist_check_SCRIPTS += %D%/crosscode.sh %D%/granular_lammps.sh %D%/lint
 
 # make tests/bench_NAME: times of the force loop, what memory and units give at most, indexes, and what has the length of
 # the rank count. checkpoint_lines is a tool of tests/app.
-EXTRA_PROGRAMS += %D%/bench_force %D%/bench_triad %D%/checkpoint_lines %D%/index/bench_index %D%/mpi/bench_ranks
+EXTRA_PROGRAMS += \
+	%D%/bench_force %D%/bench_triad %D%/checkpoint_lines %D%/index/bench_index %D%/mpi/bench_ranks \
+	%D%/physics/hard/oracle
 CLEANFILES += %D%/bench_force %D%/bench_triad %D%/checkpoint_lines %D%/index/bench_index %D%/mpi/bench_ranks
+# oracle.sh solves contact problems again by Siconos, where that is there
+if HAVE_SICONOS
+tests/app/oracle.log: tests/physics/hard/oracle
+endif
+CLEANFILES += %D%/physics/hard/oracle
+tests_physics_hard_oracle_CPPFLAGS = $(AM_CPPFLAGS) $(SICONOS_CFLAGS)
+tests_physics_hard_oracle_LDADD = $(SICONOS_LIBS) $(HDF5_LIBS) $(MPI_LIBS)
 tests/app/bench.log: tests/bench_triad tests/index/bench_index
 tests/app/random_scenes.log tests/app/ranks.log tests/app/reproducible.log: tests/checkpoint_lines

@@ -2,6 +2,7 @@
 /* Checks, locks, clears and rewinds the folder of a run. Read folder.h first. */
 #include "engine/folder.h"
 #include "data/formats/checkpoint.h"
+#include "data/formats/contact_problem.h"
 #include "data/formats/wall_frames.h"
 #include "base/file.h"
 #include <dirent.h>
@@ -112,8 +113,10 @@ bool folder_clear(const struct comm *comm, const char *directory, struct error *
     for (size_t k = 0; comm->rank == 0 && k < sizeof names / sizeof names[0]; k++)
         if (file_join(path, directory, names[k], error) && unlink(path) != 0 && errno != ENOENT)
             error_set_errno(error, "%s: cannot be replaced", path);
-    if (comm->rank == 0 && error->kind == ERROR_NONE)
+    if (comm->rank == 0 && error->kind == ERROR_NONE) {
         wall_frames_discard(directory, -1);
+        contact_problem_discard(directory, -1);
+    }
     if (comm->rank == 0 && error->kind == ERROR_NONE)
         checkpoint_discard(directory, -1, error);
     return comm_agree(comm, error);

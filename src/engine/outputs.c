@@ -78,9 +78,9 @@ static bool grid_due(const struct outputs *o, const struct clock *clock, uint64_
 }
 
 bool outputs_due(const struct outputs *o, const struct clock *clock, uint64_t step) {
-    const struct output_interval *every[] = {&o->options->observables.every, &o->options->trajectory.every,
-                                             &o->options->trajectory.contacts, &o->options->dump.every,
-                                             &o->options->walls.every};
+    const struct output_interval *every[] = {
+        &o->options->observables.every, &o->options->trajectory.every, &o->options->trajectory.contacts,
+        &o->options->dump.every,        &o->options->walls.every,      &o->options->contact_problems.every};
     for (size_t k = 0; k < sizeof every / sizeof every[0]; k++)
         if (interval_due(every[k], clock, step))
             return true;

@@ -71,7 +71,7 @@ check 'the same bits' same whole lid
 check 'with other keys of the solver' run_scene 1 bed.yaml keys --set threads=1 --resume whole/checkpoint-800.h5 \
     --set contact.solver='{sweeps: 90, tolerance: 1e-5, repair: 0.01}'
 check 'it rests' rests keys
-check 'with another kappa, whose springs then swing' run_scene 1 bed.yaml springs --set threads=1 --resume whole/checkpoint-800.h5 --set contact.solver.kappa=100
+check 'with another kappa' run_scene 1 bed.yaml springs --set threads=1 --resume whole/checkpoint-800.h5 --set contact.solver.kappa=100
 unsolved() {
     on 1 "$scree" run bed.yaml -o unsolved --quiet --resume hooke/checkpoint-1600.h5 --set contact.law=hooke --set contact.solver=~ \
         --set material_pairs[0].k_n=1e5 --set step.dt=1e-6 >said 2>&1
@@ -252,4 +252,15 @@ differences() {
             exit bad || middle != 1 || NR != 12 }' impact/observables.csv
 }
 check 'velocities in rows are those at the positions, in an impact, too' differences
+# a bed at rest stays at rest with other springs: the floor carries the weight in each step
+calm() { # DIR: from the start on
+    "$scree" info "$1/observables.csv" --column floor_fz | awk -v w="$weight" '$1 ~ /^[-0-9]/ { n++; if ($1 / w < 0.85 || $1 / w > 1.15) bad = 1 } END { exit bad || n < 100 }'
+}
+check 'a bed at rest' run_scene 1 bed.yaml settled --set contact.solver.tolerance=1e-4 --set contact.solver.sweeps=100
+for change in contact.solver.kappa=400 contact.solver.kappa=8 contact.solver.kappa=.inf 'step={dt: 5e-5, count: 1800}'; do
+    check "resumed with $change" run_scene 1 bed.yaml "changed-$change" --resume settled/checkpoint-1600.h5 --set contact.solver.tolerance=1e-4 --set contact.solver.sweeps=400 \
+        --set step.count=1800 --set observables.every=1 --set "$change"
+    check 'keeps the weight on the floor in each step' calm "changed-$change"
+done
+
 finish

@@ -62,6 +62,11 @@ struct wall_frames_options {
     struct output_interval every;
 };
 
+/* DIR/contact-problem-STEP.hdf5 (contact_problem.h). */
+struct contact_problems_options {
+    struct output_interval every;
+};
+
 /* DIR/checkpoint-STEP.h5. */
 struct checkpoint_options {
     uint64_t every_steps; /* 0: not by steps */
@@ -142,6 +147,7 @@ struct output_options {
     struct trajectory_options trajectory;
     struct dump_options dump;
     struct wall_frames_options walls;
+    struct contact_problems_options contact_problems;
     struct checkpoint_options checkpoint;
     struct observables_options observables;
     struct progress_options progress;

@@ -40,10 +40,14 @@ bool scene_check_output(const struct scene *scene, struct error *error) {
         !check_interval(scene, &output->trajectory.contacts, "output.trajectory.contacts", error) ||
         !check_interval(scene, &output->dump.every, "output.dump.every", error) ||
         !check_interval(scene, &output->walls.every, "output.walls.every", error) ||
+        !check_interval(scene, &output->contact_problems.every, "output.contact_problems.every", error) ||
         !check_interval(scene, &output->observables.every, "observables.every", error))
         return false;
     if (output_interval_set(&output->walls.every) && scene->walls == 0 && scene->stages == 0)
         return scene_fail(scene, error, "output.walls.every", "the scene has no walls");
+    if (output_interval_set(&output->contact_problems.every) && !scene->law.solved)
+        return scene_fail(scene, error, "output.contact_problems.every",
+                          "needs contact.solver, which solves such problems");
     for (int k = 0; k < output->observables.grids; k++)
         if (!check_grid(scene, k, error))
             return false;

@@ -27,6 +27,7 @@ static const char *const may_change[] = {"gravity",
                                          "output.trajectory.contacts",
                                          "output.dump.every",
                                          "output.walls.every",
+                                         "output.contact_problems.every",
                                          "output.checkpoint",
                                          "output.progress",
                                          "observables.every"};

@@ -58,6 +58,12 @@ static const struct schema_row wall_frames_rows[] = {
 };
 static const struct schema_table wall_frames_table = TABLE(wall_frames_rows);
 
+static const struct schema_row contact_problems_rows[] = {
+    {.key = "every", EVERY(struct contact_problems_options, every),
+     .help = "interval of the files; a bare number counts steps, {time: ...} is simulated time"},
+};
+static const struct schema_table contact_problems_table = TABLE(contact_problems_rows);
+
 static const struct schema_row checkpoint_rows[] = {
     {.key = "every", .type = SCHEMA_LONG, .range = "[0, inf)", .fallback = "0",
      AT(struct checkpoint_options, every_steps), .help = "steps between checkpoints; 0: none",
@@ -88,6 +94,9 @@ static const struct schema_row output_rows[] = {
     {.key = "walls", .type = SCHEMA_SECTION, .sub = &wall_frames_table,
      .offset = offsetof(struct output_options, walls),
      .help = "the files walls-STEP.vtp, walls.pvd and walls.xdmf: the walls as triangles, with force and pressure, for ParaView"},
+    {.key = "contact_problems", .type = SCHEMA_SECTION, .sub = &contact_problems_table,
+     .offset = offsetof(struct output_options, contact_problems),
+     .help = "the files contact-problem-STEP.hdf5: the problem that contact.solver has solved, in FCLIB's format, for other solvers; rank 0 holds all of it. A step without contacts has none"},
     {.key = "checkpoint", .type = SCHEMA_SECTION, .sub = &checkpoint_table,
      .offset = offsetof(struct output_options, checkpoint), .help = "the files checkpoint-STEP.h5, from which a run can resume"},
     {.key = "progress", .type = SCHEMA_NAME, .names = progress_names, .fallback = "auto",

@@ -129,6 +129,9 @@ static void files_print(const struct simulation *s, bool all, uint64_t steps) {
         file_print(all, "dump.lammpstrj", count, "frame", count * line);
     }
     wall_frames_print(grains_of(&s->physics)->walls, &output->walls.every, all, steps, s->clock.dt);
+    if (output_interval_set(&output->contact_problems.every))
+        file_print(all, "contact-problem-STEP.hdf5",
+                   times(&output->contact_problems.every, steps, s->clock.dt), "file", 0);
     if (output_interval_set(&output->observables.every))
         file_print(all, "observables.csv", times(&output->observables.every, steps, s->clock.dt), "row", 0);
     grids_print(&output->observables, s->scene->box.dimension, all, steps, s->clock.dt);
@@ -143,7 +146,8 @@ static void files_print(const struct simulation *s, bool all, uint64_t steps) {
     printf(all ? "    report.json\n" : "\n");
     if (frames == 0 && !output_interval_set(&trajectory->contacts) &&
         !output_interval_set(&output->dump.every) && !output_interval_set(&output->observables.every) &&
-        !output_interval_set(&output->walls.every) && output->observables.grids == 0)
+        !output_interval_set(&output->walls.every) && !output_interval_set(&output->contact_problems.every) &&
+        output->observables.grids == 0)
         printf("    nothing else will be written: no trajectory, no dump, no observables\n");
     if (s->scene->insertions > 0)
         printf("    (particles that are inserted later come on top)\n");

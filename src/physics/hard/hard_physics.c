@@ -150,6 +150,18 @@ static bool due(const struct physics_context *context) {
     return hard_solver_wants(&input, hard->last.fastest) > hard->solver.reach;
 }
 
+/* Rigid contacts under load would throw grains if their springs became stiffer at once, and drop them if softer. So where a
+ * resume or a stage changes kappa or the step, kappa / dt^2 follows by 2 % a step; above a kappa of 1e4 at once. */
+static double kappa_now(struct hard *hard, double dt) {
+    const double change = 1.02, stiff = 1e4 / (dt * dt), kappa = hard->solver.options.kappa,
+                 goal = kappa / (dt * dt);
+    double now = hard->stiffness;
+    hard->stiffness = goal;
+    if (now > 0.0)
+        hard->stiffness = fmin(fmax(goal, fmin(now, stiff) / change), now < stiff ? now * change : INFINITY);
+    return hard->stiffness == goal ? kappa : hard->stiffness * (dt * dt);
+}
+
 static void count(struct hard *hard) {
     hard->solves++;
     hard->sweeps += (uint64_t)hard->last.sweeps;
@@ -164,6 +176,8 @@ static void solve(const struct physics_context *context) {
     struct grains *grains = grains_of(context->set);
     struct force_sums *sums = &grains->sums;
     double stored = hard->last.stored[0];
+    if (hard->solver.terms.kappa > 0.0)
+        hard->solver.terms.kappa = kappa_now(hard, context->clock->dt);
     hard_solver_step(&hard->solver, &input, &hard->last);
     count(hard);
     *sums = (struct force_sums){.taken = hard->last.lost - (hard->last.stored[0] - stored),
@@ -242,6 +256,7 @@ static void restart(const struct physics_context *context, struct restart *list)
     struct hard *hard = context->self;
     restart_add(list, RESTART_SUM, true, &hard->last.stored[0], "energy in solved contacts");
     restart_add(list, RESTART_REAL, true, &hard->solver.reach, "reach of solved contacts");
+    restart_add(list, RESTART_REAL, true, &hard->stiffness, "stiffness of solved contacts");
 }
 
 /* Finds walls by their names: the scene may have other walls, or the same in another order. */
@@ -345,6 +360,7 @@ static const struct physics_limit limits = {
     .stays = true,
     .why = "a grain would move by half of the smallest radius in a step, or fall by 1/450 of it"};
 static const struct physics_record record = {.resume = resume};
+static const struct physics_table table = {.open = hard_file_open, .write = hard_file_write};
 static const struct physics_shown shown = {.report = report, .notes = notes};
 
 const struct physics hard_physics = {.name = "hard",
@@ -360,5 +376,6 @@ const struct physics hard_physics = {.name = "hard",
                                      .search = &search,
                                      .rows = &memory,
                                      .limit = &limits,
+                                     .table = &table,
                                      .shown = &shown,
                                      .record = &record};

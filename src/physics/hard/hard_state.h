@@ -4,6 +4,7 @@
 #ifndef SCREE_HARD_HARD_STATE_H
 #define SCREE_HARD_HARD_STATE_H
 
+#include "base/file.h"
 #include "physics/hard/hard_solve.h"
 
 struct error;
@@ -16,13 +17,21 @@ struct hard {
     int wall_material[WALLS_MAX];
     double smallest;     /* radius of free grains, over all ranks; INFINITY: none yet */
     double light, heavy; /* their masses, insertions left out */
+    double stiffness;    /* kappa / dt^2 of rigid contacts now, which follows the scene's; 0: no step yet */
     /* Since this program began. */
     uint64_t solves, sweeps, unmet; /* unmet: with a residual above the tolerance */
     double worst;                   /* residual */
     bool warned;                    /* of a residual */
+    char directory[FILE_PATH_MAX];  /* of the run */
+    int64_t written;                /* step of the last file of output.contact_problems; -1: none */
 };
 
 /* Refuses what the solver does not know yet: the `check` of struct physics. */
 bool hard_check(const struct physics_context *context, struct error *error);
+
+/* The files of output.contact_problems: struct physics_table. */
+bool hard_file_open(const struct physics_context *context, const char *directory, int64_t step,
+                    struct error *error);
+bool hard_file_write(const struct physics_context *context, struct error *error);
 
 #endif

@@ -122,11 +122,13 @@ static inline void hard_impulse(const struct hard_row *row, int e, double impuls
         impulse[3 + d] = -row->lever[e] * turn[d];
 }
 
-/* The normal impulse of a row of Hertz: the root of y (1 + a c) + a dt k y^(3/2) = -(gap + dt u_free) - a c gap,
- * whose left side is convex, from above by Newton; the damper has the overlap of the last visit. */
+/* The normal impulse of a row of Hertz: the root of y (1 + a c) + a dt k y^(3/2) = -(gap + dt u_free) - a c min(gap, 0),
+ * whose left side is convex, from above by Newton. The damper has the overlap of the last visit, and acts from touch on: a
+ * gap that closes in the step is no overlap that grows. */
 static inline double hard_hertz(struct hard_row *row, double dt, double a, double free) {
     double c = row->damper * sqrt(sqrt(row->deep)), linear = 1.0 + a * c;
-    double steep = a * dt * row->hertz, goal = -(row->gap + dt * free) - a * c * row->gap;
+    double steep = a * dt * row->hertz, before = fmin(row->gap, 0.0);
+    double goal = -(row->gap + dt * free) - a * c * before;
     if (!(goal > 0.0)) {
         row->deep = 0.0;
         return 0.0;
@@ -139,7 +141,7 @@ static inline double hard_hertz(struct hard_row *row, double dt, double a, doubl
         y -= miss / (linear + 1.5 * steep * root);
     }
     row->deep = y;
-    return fmax(0.0, row->hertz * y * sqrt(y) + c * (y + row->gap) / dt);
+    return fmax(0.0, row->hertz * y * sqrt(y) + c * (y + before) / dt);
 }
 
 /* The impulses that the row wants while those of all others stay: a visit without its effect on the bodies. */
