@@ -238,12 +238,16 @@ static void predicted_set(const struct work *work) {
             work->flow->predicted[3 * (first + row_of(solid, node)) + d] += work->rigid->try[node][d];
 }
 
-/* The largest |w|. Collective. */
+/* The largest |w| and |q|. Collective. */
 static double speed_of(const struct work *work) {
     double most = 0;
     for (size_t row = 0; row < work->rigid->rows; row++) {
         const double *w = work->rigid->bare[row];
         most = fmax(most, w[0] * w[0] + w[1] * w[1] + w[2] * w[2]);
+    }
+    for (size_t node = 0; node < work->rigid->solid.nodes; node++) {
+        const double *q = work->rigid->try[node];
+        most = fmax(most, q[0] * q[0] + q[1] * q[1] + q[2] * q[2]);
     }
     comm_max(work->context->comm, &most, 1);
     return sqrt(most);
@@ -277,9 +281,9 @@ static void doubt(const struct work *work, double lack, double wanted) {
 static bool forcing_loop(const struct work *work, struct error *error) {
     struct rigid *rigid = work->rigid;
     const struct solid *solid = &rigid->solid;
-    double wanted = RIGID_TOLERANCE * speed_of(work), lack = INFINITY;
     bare_find(work, rigid->try);
     forcing_find(work, rigid->try);
+    double wanted = RIGID_TOLERANCE * speed_of(work), lack = INFINITY;
     anderson_begin(&rigid->anderson, work->context->comm, 3 * solid->nodes);
     for (int n = 0;; n++) {
         predicted_set(work);
