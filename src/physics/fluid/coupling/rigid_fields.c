@@ -13,9 +13,9 @@ static const struct field
                .help = "change of the velocity by which the last step made grains rigid bodies"},
     potential = {.name = "fluid_potential", .type = FIELD_DOUBLE, .components = 1, .use = FIELD_TRAVELS, .unit = "Pa", .kinds = 1u << KIND_FLUID, .needed_for = "fluid.grains",
                  .help = "change of the pressure in the last step"},
-    motion_of = {.name = "fluid_motion", .type = FIELD_DOUBLE, .components = 6, .use = FIELD_TRAVELS, .fill = NAN,
+    motion_of = {.name = "fluid_motion", .type = FIELD_DOUBLE, .components = 12, .use = FIELD_TRAVELS, .fill = NAN,
                  .kinds = 1u << KIND_GRAIN, .needed_for = "fluid.grains",
-                 .help = "velocity (m/s) and spin (rad/s) of a grain after the last step of the fluid"},
+                 .help = "velocity (m/s) and spin (rad/s) of a grain after the last step of the fluid, and their changes in it"},
     impulse = {.name = "fluid_impulse", .type = FIELD_DOUBLE, .components = 6, .use = FIELD_TRAVELS,
                .kinds = 1u << KIND_GRAIN, .needed_for = "fluid.grains",
                .help = "momentum (N s, N m s) that contacts gave a grain since the last step of the fluid"},
@@ -44,7 +44,7 @@ double *rigid_fields_potential(const struct particles *particles) {
     return fields_values(particles, &potential);
 }
 
-double (*rigid_fields_motion(const struct particles *particles))[6] {
+double (*rigid_fields_motion(const struct particles *particles))[12] {
     return fields_values(particles, &motion_of);
 }
 

@@ -6,7 +6,10 @@
  *   s x U + (J + J_e) omega = rho sum g V r x v + J_e omega_n + T
  *
  * with impulse I and torque T of its contacts. M_e, J_e are what the grain has more than the fluid in it: M - rho V where that is heavier, else M less the mean of m over
- * all lattices, so that the whole inertia stays M. */
+ * all lattices, so that the whole inertia stays M.
+ *
+ * Where these are negative, half of them acts with the acceleration of the step before. For a fluid that a step of viscosity leaves the part a of the momentum m U, with b = -M_e / m, and the part c of m late,
+ * a step is (1 - b + c) U_n+1 = (a - b + 2 c) U_n - c U_n-1. That decays for any a in 0 ... 1 and b < 1 if c > (2 b - 1 - a) / 4, so with c = b / 2; with c = 0 it swings up if b > (1 + a) / 2, and a is near 0 in long steps. */
 #ifndef SCREE_COUPLING_RIGID_GRAINS_H
 #define SCREE_COUPLING_RIGID_GRAINS_H
 
@@ -22,7 +25,8 @@ void rigid_grains_add(struct rigid_grains_sums *sums, double mass, const double 
 
 /* What goes with a grain. */
 struct rigid_grains_own {
-    double mass, inertia; /* M_e, J_e */
+    double mass, inertia;           /* M_e, J_e; half of them where they are negative */
+    double late_mass, late_inertia; /* the other half, with the accelerations of the step before; else 0 */
     int dimension;
     bool turns; /* else omega is 0 */
 };

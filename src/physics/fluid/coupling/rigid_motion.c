@@ -20,7 +20,7 @@ static void motion_begin(const struct particles *p, size_t i) {
     double(*spin)[4] = spin_of(p), *motion = rigid_fields_motion(p)[i];
     if (!isnan(motion[0]))
         return;
-    memset(motion, 0, 6 * sizeof *motion);
+    memset(motion, 0, 12 * sizeof *motion);
     memcpy(motion, p->state[i].v, 3 * sizeof *motion);
     if (spin != NULL)
         memcpy(motion + 3, spin[i], 3 * sizeof *motion);

@@ -141,6 +141,10 @@ static struct rigid_grains_own own_of(const struct work *work, size_t i, double 
     solid_mean(r, options->spacing, work->kappa, dimension, &volume, &second);
     own.mass = mass - (mass >= *displaced ? *displaced : options->density * volume);
     own.inertia = inertia - (inertia >= *moment ? *moment : options->density * second);
+    own.late_mass = fmin(0.5 * own.mass, 0);
+    own.late_inertia = fmin(0.5 * own.inertia, 0);
+    own.mass -= own.late_mass;
+    own.inertia -= own.late_inertia;
     return own;
 }
 
@@ -153,9 +157,10 @@ static void momentum_of(const struct work *work, size_t i, const struct rigid_gr
                  *impulse = rigid_fields_impulse(context->particles)[i];
     double weight = 1 / context->particles->state[i].inverse_mass - displaced;
     for (int d = 0; d < 3; d++) {
-        momentum[d] =
-            load[d] + own->mass * before[d] + weight * context->scene->gravity[d] * work->dt + impulse[d];
-        momentum[3 + d] = load[3 + d] + own->inertia * before[3 + d] + impulse[3 + d];
+        momentum[d] = load[d] + own->mass * before[d] - own->late_mass * before[6 + d] +
+                      weight * context->scene->gravity[d] * work->dt + impulse[d];
+        momentum[3 + d] =
+            load[3 + d] + own->inertia * before[3 + d] - own->late_inertia * before[9 + d] + impulse[3 + d];
     }
 }
 
@@ -238,12 +243,16 @@ static void predicted_set(const struct work *work) {
             work->flow->predicted[3 * (first + row_of(solid, node)) + d] += work->rigid->try[node][d];
 }
 
-/* The largest |w|. Collective. */
+/* The largest |w| and |q|. Collective. */
 static double speed_of(const struct work *work) {
     double most = 0;
     for (size_t row = 0; row < work->rigid->rows; row++) {
         const double *w = work->rigid->bare[row];
         most = fmax(most, w[0] * w[0] + w[1] * w[1] + w[2] * w[2]);
+    }
+    for (size_t node = 0; node < work->rigid->solid.nodes; node++) {
+        const double *q = work->rigid->try[node];
+        most = fmax(most, q[0] * q[0] + q[1] * q[1] + q[2] * q[2]);
     }
     comm_max(work->context->comm, &most, 1);
     return sqrt(most);
@@ -277,9 +286,9 @@ static void doubt(const struct work *work, double lack, double wanted) {
 static bool forcing_loop(const struct work *work, struct error *error) {
     struct rigid *rigid = work->rigid;
     const struct solid_field *solid = &rigid->solid;
-    double wanted = RIGID_TOLERANCE * speed_of(work), lack = INFINITY;
     bare_find(work, rigid->try);
     forcing_find(work, rigid->try);
+    double wanted = RIGID_TOLERANCE * speed_of(work), lack = INFINITY;
     anderson_begin(&rigid->anderson, work->context->comm, 3 * solid->nodes);
     for (int n = 0;; n++) {
         predicted_set(work);
@@ -339,13 +348,21 @@ static void loads_find(const struct work *work) {
                inertia = 0.4 * mass * p->state[i].radius * p->state[i].radius;
         whole.mass = moves ? mass - own.mass : displaced;
         whole.inertia = moves ? inertia - own.inertia : moment;
+        own.late_mass = moves ? own.late_mass : 0;
+        own.late_inertia = moves ? own.late_inertia : 0;
         rigid_grains_momentum(sums, found, given);
         for (int d = 0; d < 3; d++) {
-            load[d] = (load[d] - given[d] + whole.mass * (found[d] - motion[d])) / work->dt;
-            load[3 + d] =
-                (load[3 + d] - given[3 + d] + whole.inertia * (found[3 + d] - motion[3 + d])) / work->dt;
+            load[d] =
+                (load[d] - given[d] + whole.mass * (found[d] - motion[d]) - own.late_mass * motion[6 + d]) /
+                work->dt;
+            load[3 + d] = (load[3 + d] - given[3 + d] + whole.inertia * (found[3 + d] - motion[3 + d]) -
+                           own.late_inertia * motion[9 + d]) /
+                          work->dt;
         }
-        memcpy(motion, found, 6 * sizeof *motion);
+        for (int d = 0; d < 6; d++) {
+            motion[6 + d] = found[d] - motion[d];
+            motion[d] = found[d];
+        }
     }
 }
 

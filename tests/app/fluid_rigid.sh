@@ -1,0 +1,114 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: BSD-3-Clause
+# Grains in which the flow of a fluid is rigid: the same on all ranks and layouts, restart, momentum, drag, rest, and what does not go with them.
+# Closed forms and published values are cases of examples/verify.
+set -u
+. "$top_srcdir/tests/app/common.sh"
+cd "$out" || exit 1
+
+# three discs of 2.5 times the fluid's density fall onto a floor and onto each other; one of them lies across the border of two ranks
+cat >drop.yaml <<'YAML'
+units: none
+box: {lower: [0, 0, 0], upper: [32, 24, 0], dimension: 2, periodic: [true, false, false]}
+gravity: [0, -0.0833333, 0]
+walls:
+  - {name: floor, shape: plane, point: [0, 0, 0], normal: [0, 1, 0]}
+  - {name: lid, shape: plane, point: [0, 24, 0], normal: [0, -1, 0]}
+contact: {law: hertz}
+materials: [{name: glass, density: 0.46875, young: 1000, poisson: 0.3}]
+material_pairs: [{restitution: 0.2, friction: 0.3}]
+particles: {from: file, format: table, file: discs.txt, columns: [x, y, z, radius]}
+fluid: {spacing: 1, density: 1, viscosity: 0.2, grains: {motion: free, coupling: rigid, every: 40}}
+step: {dt: 0.00625, count: 1600}
+observables: {every: 400, list: [{name: energy_kinetic}, {name: energy_rotational}, {name: centre}, {name: wall_force, target: floor}, {name: fluid_velocity}, {name: fluid_speed}, {name: energy_balance}]}
+output: {checkpoint: {every: 800}}
+YAML
+printf '%s\n' '16.2 4.5 0 4' '20 12 0 4' '1 6 0 4' >discs.txt
+if ! "$scree" check --all drop.yaml >said 2>&1; then
+    grep -q 'built without PETSc' said || { cat said; check "a build without PETSc says so" false; }
+    skip "rigid grains in a fluid: $(cat said)"
+    finish
+fi
+
+# close DIR DIR BOUND: the last rows of observables agree to a part of their size
+close() {
+    paste -d , <(tail -n 1 "$1/observables.csv") <(tail -n 1 "$2/observables.csv") | awk -F , -v bound="$3" '{ m = NF / 2
+        for (k = 1; k <= m; k++) { d = $k - $(k + m); a = $k < 0 ? -$k : $k; if (!(d * d <= (bound * (a + 0.1)) ^ 2)) { print "  column", k, $k, $(k + m); bad = 1 } } exit bad || m < 8 }'
+}
+one() { run_scene 1 drop.yaml one --set threads=1; }
+check "three discs fall on one rank" one
+ranks() { # RANKS BOUND SETTING...
+    local ranks=$1 bound=$2
+    shift 2
+    rm -rf other
+    run_scene "$ranks" drop.yaml other --set threads=1 "$@" && close one other "$bound"
+}
+check "the same on 2 ranks, to the tolerance" ranks 2 2e-3
+check_long "the same on 4 ranks, to the tolerance" ranks 4 2e-3
+check "the same with another index and 2 threads" ranks 1 1e-6 --set index=hgrid --set threads=2
+resumes() { # RANKS BOUND
+    rm -rf other
+    run_scene "$1" drop.yaml other --set threads=1 --resume one/checkpoint-800.h5 && close one other "$2"
+}
+check "a resume gives the same bits" eval 'resumes 1 0 && cmp <(tail -n 1 one/observables.csv) <(tail -n 1 other/observables.csv)'
+check "a resume on 2 ranks agrees to the tolerance" resumes 2 2e-3
+
+# Momentum of what a periodic box holds, that of nodes and what grains have more than the fluid in them, over that of the grains at the start
+cat >free.yaml <<'YAML'
+units: none
+box: {lower: [0, 0, 0], upper: [32, 32, 0], dimension: 2, periodic: true}
+particles:
+  sources:
+    - {from: single, position: [8, 9, 0], radius: 4, density: 0.46875, velocity: [0.5, 0.2, 0]}
+    - {from: single, position: [22, 13, 0], radius: 4, density: 0.1875, velocity: [-0.3, 0.4, 0]}
+    - {from: single, position: [15, 25, 0], radius: 4, density: 0.05625, velocity: [0.1, -0.6, 0]}
+fluid: {spacing: 1, density: 1, viscosity: 0.2, grains: {motion: free, coupling: rigid}}
+step: {dt: 0.25, count: 40}
+output: {dump: {every: 1, fields: [id, kind, velocity, solid]}}
+YAML
+momentum() {
+    run_scene 1 free.yaml free --set threads=1 --set output.dump.every=20 && awk '
+        BEGIN { s[1] = 2.5; s[2] = 1; s[3] = 0.3; a = 16 * 3.14159265358979 }
+        /^ITEM: TIMESTEP/ { n++ } /^ITEM/ || NF < 7 { next }
+        { m = $6 == 0 ? a * (s[$1] - 1) : 1; x[n] += m * $3; y[n] += m * $4; filled[n] += $7
+          if ($6 == 0) { size += n == 1 ? a * s[$1] * sqrt($3 ^ 2 + $4 ^ 2) : 0; u[n] += $3 } }
+        END { d = sqrt((x[3] - x[2]) ^ 2 + (y[3] - y[2]) ^ 2) / size
+              printf "  %d frames, momentum changes by %.2g; filled %.4g of %.4g\n", n, d, filled[n] / 3, a
+              exit !(n == 3 && d < 1e-3 && filled[n] / 3 > 0.98 * a && filled[n] / 3 < 1.03 * a && u[n] != u[1]) }' free/dump.lammpstrj
+}
+check "free discs and the fluid keep their momentum, at 2.5, 1 and 0.3 of its density" momentum
+
+# Square array of discs at a fifth of the area: 51.53 (Sangani and Acrivos 1982), whatever the step
+cat >array.yaml <<'YAML'
+units: none
+box: {lower: [0, 0, 0], upper: [16, 16, 0], periodic: true, dimension: 2}
+particles: {from: single, position: [8, 8, 0], radius: 4.0368, density: 1, group: bed}
+groups: [{name: bed, motion: frozen}]
+fluid: {spacing: 1, density: 1, viscosity: 1, equations: stokes, grains: {coupling: rigid}, drive: {body_force: [1, 0, 0]}}
+step: {dt: 2, count: 200}
+observables: {every: 200, list: [{name: fluid_velocity, components: x}, {name: fluid_porosity}, {name: drag, target: bed, components: x}]}
+YAML
+array() { # DT COUNT
+    rm -rf array
+    run_scene 1 array.yaml array --set threads=1 --set step.dt="$1" --set step.count="$2" --set observables.every="$2" &&
+        within "$(calc "256 / $(last_of array fluid_velocity_x)")" 51.53 1.1 && within "$(last_of array fluid_porosity)" 0.8 0.008 &&
+        within "$(last_of array drag_bed_x)" "$(calc "256 - 16 * 16 * 0.2")" 1.5
+}
+calc() { awk "BEGIN { printf \"%.12g\", $1 }"; }
+check "the drag of a square array, long steps" array 8 60
+check "the drag of a square array, short steps" array 1 300
+
+refused() { # TEXT SETTING...
+    local text=$1
+    shift
+    on 1 "$scree" check drop.yaml "$@" >said 2>&1
+    [ $? = 2 ] && grep -q "$text" said || { cat said; false; }
+}
+check "steady flows are refused" refused 'fluid.time: .*allowed with it: transient' --set fluid.time=steady --set fluid.equations=stokes
+check "particles that move are refused" refused 'fluid.motion: .*allowed with it: fixed' --set fluid.motion=lagrangian
+check "scalars are refused" refused 'fluid.scalars: .*allowed with it: none' --set 'fluid.scalars=[{name: dye, diffusivity: 1}]'
+check "unresolved grains are refused" refused 'fluid.grains.unresolved: ' --set fluid.grains.unresolved=0.1 --set drag.law=stokes
+check "slip is refused" refused 'fluid.walls.velocity: ' --set 'fluid.walls={velocity: slip, slip_length: 1}'
+check "other lattices are refused" refused 'fluid.fill.arrangement: ' --set fluid.fill.arrangement=hexagonal
+check "a solver of contacts is refused" refused 'contact.solver: ' --set contact.solver=gauss_seidel
+finish
