@@ -95,7 +95,7 @@ esac
 duration=${DURATION:-$duration}
 fill=${FILL:-$fill}
 
-solver="--set contact.solver=gauss_seidel --set contact.solver.sweeps=20"
+solver="--set contact.solver=gauss_seidel --set contact.solver.sweeps=30"
 # shellcheck disable=SC2086
 scree_run() { on_ranks "${SCREE_RANKS:-1}" "$SCREE" run "$@" ${SCREE_ARGS:-} >&2; }
 
@@ -112,7 +112,7 @@ pour() {
     echo "pouring the bed: $fill s" >&2
     test -z "$bed" || set -- "$@" --set "particles.sources=[$bed]"
     # shellcheck disable=SC2086
-    scree_run "$scene" -o "$out/bed" --overwrite "$@" $solver --set 'step.dt=~' --set step.fraction=0.5 --set contact.solver.tolerance=1e-3 --set duration="$fill" --set guards.residual=off \
+    scree_run "$scene" -o "$out/bed" --overwrite "$@" $solver --set 'step.dt=~' --set step.fraction=0.4 --set contact.solver.tolerance=1e-3 --set duration="$fill" --set guards.residual=off \
         --set "output.trajectory.every={time: $fill}" --set output.checkpoint.at_end=false \
         --set 'observables.list=[{name: energy_kinetic_mean}, {name: particles}, {name: largest, of: z, unit: m, label: top}]'
     printf '{"bed": "poured", "particles": %d, "seconds": %.4g, "simulated": %s, "top": %.5f, "mean_kinetic_energy": %.3g}\n' \

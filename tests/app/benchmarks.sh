@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: BSD-3-Clause
-# The published benchmarks: the page is what its rows say, the judges tell good curves from bad ones, and a case runs, stops and goes on.
+# The published benchmarks: the page is what its rows say, the judges tell good curves from bad ones, a case runs, stops and goes on;
+# LAMMPS's own examples have LAMMPS's forces.
 set -u
 . "$top_srcdir/tests/app/common.sh"
 case $scree in /*) ;; *) scree=$PWD/$scree ;; esac
@@ -45,4 +46,10 @@ check 'a case runs, and its last line has what others read' case_of 1e-5 20
 check 'the same command goes on from there' case_of 2e-5 40
 wrong() { "$dosta/run.sh" "$@" >said 2>&1; [ $? = 2 ] && grep -q '^usage: run.sh CASE' said; }
 check 'a case that is not there is refused, with the names' eval 'wrong impact26 && wrong impact25 --step long && wrong'
+
+lammps() { SCREE=$scree SCREE_RANKS=$1 SCREE_ARGS=$2 "$top_srcdir/examples/lammps/check" "$out/lammps" >lines 2>said || { cat said lines; return 1; }; }
+check "LAMMPS's examples: its forces and places" lammps 1 '--set threads=2'
+check 'so on three ranks, newton off' lammps 3 '--set threads=1 --set newton=off'
+others_differ() { ! lammps 1 '--set material_pairs[0].k_n=2000.1' >/dev/null; }
+check 'another stiffness is found out' others_differ
 finish
