@@ -1,17 +1,18 @@
 # SPDX-License-Identifier: BSD-3-Clause
 EXTRA_DIST += \
-	%D%/accuracy.md %D%/architecture.md %D%/building.md %D%/features.md %D%/fluid-limits.md %D%/fluid-method.md \
-	%D%/fluid.md %D%/folders.dot %D%/gallery.md %D%/hard-cases.md %D%/hard.md %D%/howto/cluster.md \
-	%D%/howto/compaction.md %D%/howto/coupling.md %D%/howto/drum.md %D%/howto/hopper.md %D%/howto/pouring.md \
-	%D%/howto/restart.md %D%/howto/shear_cell.md %D%/howto/sieve.md %D%/images/bead-packing.png \
-	%D%/images/bed-erosion.png %D%/images/blade.png %D%/images/crushing.png %D%/images/dumbbells.png \
-	%D%/images/fluid-cavity.png %D%/images/fluid-electroosmosis.png %D%/images/fluid-spheres.png \
-	%D%/images/fluid-vortices.png %D%/images/fluidised-bed.png %D%/images/folders.svg \
-	%D%/images/gallery-compaction-plot.png %D%/images/gallery-compaction.png %D%/images/gallery-drum-plot.png \
-	%D%/images/gallery-drum.png %D%/images/gallery-hopper-plot.png %D%/images/gallery-hopper.png \
-	%D%/images/gallery-pouring-plot.png %D%/images/gallery-pouring.png %D%/images/gallery-shear_cell-plot.png \
-	%D%/images/gallery-shear_cell.png %D%/images/gallery-sieve-plot.png %D%/images/gallery-sieve.png \
-	%D%/images/gate.png %D%/images/heated-drum.png %D%/images/penetration.png %D%/images/performance-auto.svg \
+	%D%/accuracy.md %D%/architecture.md %D%/benchmarks.md %D%/building.md %D%/features.md %D%/fluid-limits.md \
+	%D%/fluid-method.md %D%/fluid.md %D%/folders.dot %D%/gallery.md %D%/hard-cases.md %D%/hard.md \
+	%D%/howto/cluster.md %D%/howto/compaction.md %D%/howto/coupling.md %D%/howto/drum.md %D%/howto/hopper.md \
+	%D%/howto/pouring.md %D%/howto/restart.md %D%/howto/shear_cell.md %D%/howto/sieve.md \
+	%D%/images/bead-packing.png %D%/images/bed-erosion.png %D%/images/benchmarks.svg %D%/images/blade.png \
+	%D%/images/crushing.png %D%/images/dumbbells.png %D%/images/fluid-cavity.png \
+	%D%/images/fluid-electroosmosis.png %D%/images/fluid-spheres.png %D%/images/fluid-vortices.png \
+	%D%/images/fluidised-bed.png %D%/images/folders.svg %D%/images/gallery-compaction-plot.png \
+	%D%/images/gallery-compaction.png %D%/images/gallery-drum-plot.png %D%/images/gallery-drum.png \
+	%D%/images/gallery-hopper-plot.png %D%/images/gallery-hopper.png %D%/images/gallery-pouring-plot.png \
+	%D%/images/gallery-pouring.png %D%/images/gallery-shear_cell-plot.png %D%/images/gallery-shear_cell.png \
+	%D%/images/gallery-sieve-plot.png %D%/images/gallery-sieve.png %D%/images/gate.png \
+	%D%/images/heated-drum.png %D%/images/penetration.png %D%/images/performance-auto.svg \
 	%D%/images/performance-cells.svg %D%/images/performance-continuous.svg %D%/images/performance-growth.svg \
 	%D%/images/performance-optimum.svg %D%/images/performance-roofline.svg %D%/images/performance-univol.svg \
 	%D%/images/picture-drum.png %D%/images/report-ablation.png %D%/images/report.png %D%/images/repose.png \

@@ -18,23 +18,38 @@ nobase_dist_pkgdata_DATA = \
 	%D%/bidisperse/step200.dump.gz %D%/blade/README.md %D%/blade/blade.txt %D%/blade/picture.gp \
 	%D%/blade/scene.yaml %D%/cavity/README.md %D%/cavity/scene.yaml %D%/column/README.md %D%/column/scene.yaml \
 	%D%/common.sh %D%/crushing/README.md %D%/crushing/crushing.gp %D%/crushing/curve.awk %D%/crushing/grains.awk \
-	%D%/crushing/picture.awk %D%/crushing/scene.yaml %D%/crushing/summary.awk %D%/drum/README.md \
-	%D%/drum/compare.awk %D%/drum/lammps-1.csv %D%/drum/lammps-2.csv %D%/drum/lammps/data.awk \
-	%D%/drum/lammps/in.drum %D%/drum/particles.txt.gz %D%/drum/scene.yaml %D%/drum/walls.txt %D%/drum/zones.gp \
-	%D%/dumbbells/README.md %D%/dumbbells/members.awk %D%/dumbbells/picture.gp %D%/dumbbells/scene.yaml \
-	%D%/electroosmosis/README.md %D%/electroosmosis/picture.gp %D%/electroosmosis/scene.yaml %D%/ergun/README.md \
-	%D%/ergun/scene.yaml %D%/ergun/section.awk %D%/fluid_scaling/README.md %D%/fluid_scaling/count_calls.c \
-	%D%/fluid_scaling/counts.awk %D%/fluid_scaling/scene.yaml %D%/fluid_scaling/section.awk \
-	%D%/fluidised_bed/README.md %D%/fluidised_bed/picture.gp %D%/fluidised_bed/scene.yaml %D%/gallery/README.md \
-	%D%/gallery/compaction.yaml %D%/gallery/drum.yaml %D%/gallery/funnel.txt %D%/gallery/gate.txt \
-	%D%/gallery/hopper.yaml %D%/gallery/pictures.txt %D%/gallery/plot.gp %D%/gallery/pouring.yaml \
-	%D%/gallery/quick.txt %D%/gallery/shear_cell.yaml %D%/gallery/sieve.yaml %D%/gallery/sieves.txt \
-	%D%/gate/README.md %D%/gate/bottom.txt %D%/gate/gate.txt %D%/gate/picture.gp %D%/gate/scene.yaml \
-	%D%/gravel/README.md %D%/gravel/scene.yaml %D%/hard/boulder.yaml %D%/hard/coincide.yaml \
-	%D%/hard/denormal.yaml %D%/hard/edge.yaml %D%/hard/faces.yaml %D%/hard/far.txt %D%/hard/far.yaml \
-	%D%/hard/fast.yaml %D%/hard/jammed.yaml %D%/hard/lattice.txt %D%/hard/limit.yaml %D%/hard/oblique.yaml \
-	%D%/hard/only_slivers.txt %D%/hard/pair.yaml %D%/hard/ratio.yaml %D%/hard/slivers.txt %D%/hard/square.txt \
-	%D%/heated_drum/README.md %D%/heated_drum/picture.gp %D%/heated_drum/scene.yaml %D%/library/README.md \
+	%D%/crushing/picture.awk %D%/crushing/scene.yaml %D%/crushing/summary.awk %D%/dosta2024/README.md \
+	%D%/dosta2024/curves.awk %D%/dosta2024/curves/drum-liggghts.csv %D%/dosta2024/curves/drum-musen.csv \
+	%D%/dosta2024/curves/drum-peclet.csv %D%/dosta2024/curves/impact100-liggghts.csv \
+	%D%/dosta2024/curves/impact100-musen.csv %D%/dosta2024/curves/impact100-peclet.csv \
+	%D%/dosta2024/curves/impact25-liggghts.csv %D%/dosta2024/curves/impact25-musen.csv \
+	%D%/dosta2024/curves/impact25-peclet.csv %D%/dosta2024/curves/impact50-liggghts.csv \
+	%D%/dosta2024/curves/impact50-musen.csv %D%/dosta2024/curves/impact50-peclet.csv \
+	%D%/dosta2024/curves/silo-large-m1-liggghts.csv %D%/dosta2024/curves/silo-large-m1-musen.csv \
+	%D%/dosta2024/curves/silo-large-m1-peclet.csv %D%/dosta2024/curves/silo-small-m1-musen.csv \
+	%D%/dosta2024/curves/silo-small-m1-peclet.csv %D%/dosta2024/drum.awk %D%/dosta2024/impact.awk \
+	%D%/dosta2024/page.gp %D%/dosta2024/page.head.md %D%/dosta2024/page.tail.md %D%/dosta2024/picture.gp \
+	%D%/dosta2024/row.awk %D%/dosta2024/rows.tsv %D%/dosta2024/seeds.awk %D%/dosta2024/silo.awk \
+	%D%/dosta2024/silo.yaml %D%/drum/README.md %D%/drum/compare.awk %D%/drum/lammps-1.csv %D%/drum/lammps-2.csv \
+	%D%/drum/lammps/data.awk %D%/drum/lammps/in.drum %D%/drum/particles.txt.gz %D%/drum/scene.yaml \
+	%D%/drum/walls.txt %D%/drum/zones.gp %D%/dumbbells/README.md %D%/dumbbells/members.awk \
+	%D%/dumbbells/picture.gp %D%/dumbbells/scene.yaml %D%/electroosmosis/README.md %D%/electroosmosis/picture.gp \
+	%D%/electroosmosis/scene.yaml %D%/ergun/README.md %D%/ergun/scene.yaml %D%/ergun/section.awk \
+	%D%/fluid_scaling/README.md %D%/fluid_scaling/count_calls.c %D%/fluid_scaling/counts.awk \
+	%D%/fluid_scaling/scene.yaml %D%/fluid_scaling/section.awk %D%/fluidised_bed/README.md \
+	%D%/fluidised_bed/picture.gp %D%/fluidised_bed/scene.yaml %D%/gallery/README.md %D%/gallery/compaction.yaml \
+	%D%/gallery/drum.yaml %D%/gallery/funnel.txt %D%/gallery/gate.txt %D%/gallery/hopper.yaml \
+	%D%/gallery/pictures.txt %D%/gallery/plot.gp %D%/gallery/pouring.yaml %D%/gallery/quick.txt \
+	%D%/gallery/shear_cell.yaml %D%/gallery/sieve.yaml %D%/gallery/sieves.txt %D%/gate/README.md \
+	%D%/gate/bottom.txt %D%/gate/gate.txt %D%/gate/picture.gp %D%/gate/scene.yaml %D%/gravel/README.md \
+	%D%/gravel/scene.yaml %D%/hard/boulder.yaml %D%/hard/coincide.yaml %D%/hard/denormal.yaml %D%/hard/edge.yaml \
+	%D%/hard/faces.yaml %D%/hard/far.txt %D%/hard/far.yaml %D%/hard/fast.yaml %D%/hard/jammed.yaml \
+	%D%/hard/lattice.txt %D%/hard/limit.yaml %D%/hard/oblique.yaml %D%/hard/only_slivers.txt %D%/hard/pair.yaml \
+	%D%/hard/ratio.yaml %D%/hard/slivers.txt %D%/hard/square.txt %D%/heated_drum/README.md \
+	%D%/heated_drum/picture.gp %D%/heated_drum/scene.yaml %D%/lammps/README.md %D%/lammps/granular-0.dump.gz \
+	%D%/lammps/granular.data.gz %D%/lammps/granular.yaml %D%/lammps/pour-0.dump.gz %D%/lammps/pour-100.dump.gz \
+	%D%/lammps/pour.2d-0.dump.gz %D%/lammps/pour.2d-100.dump.gz %D%/lammps/pour.2d.data.gz \
+	%D%/lammps/pour.2d.yaml %D%/lammps/pour.data.gz %D%/lammps/pour.yaml %D%/library/README.md \
 	%D%/library/search.c %D%/library/simulation.c %D%/penetration/README.md %D%/penetration/compare.awk \
 	%D%/penetration/depth.gp %D%/penetration/lammps.csv %D%/penetration/lammps/data.awk \
 	%D%/penetration/lammps/in.penetration %D%/penetration/lammps/tsuji.awk %D%/penetration/particles.txt.gz \
@@ -57,15 +72,15 @@ nobase_dist_pkgdata_SCRIPTS = \
 	%D%/bench/needs.sh %D%/bench/page.sh %D%/bench/penetration.sh %D%/bench/report.sh %D%/bench/roofline.sh \
 	%D%/bench/skin.sh %D%/bench/table1.sh %D%/bench/univol.sh %D%/bidisperse/check %D%/bidisperse/run.sh \
 	%D%/blade/check %D%/blade/run.sh %D%/cavity/check %D%/cavity/run.sh %D%/crushing/check %D%/crushing/run.sh \
-	%D%/drum/check %D%/drum/lammps/run.sh %D%/drum/run.sh %D%/dumbbells/check %D%/dumbbells/run.sh \
-	%D%/electroosmosis/check %D%/electroosmosis/run.sh %D%/electroosmosis/section.sh %D%/ergun/check \
-	%D%/ergun/run.sh %D%/ergun/section.sh %D%/flow.sh %D%/fluid_scaling/run.sh %D%/fluid_scaling/section.sh \
-	%D%/fluidised_bed/check %D%/fluidised_bed/run.sh %D%/fluidised_bed/section.sh %D%/gallery/check \
-	%D%/gallery/run.sh %D%/gate/check %D%/gate/run.sh %D%/hard/run.sh %D%/heated_drum/check \
-	%D%/heated_drum/run.sh %D%/penetration/check %D%/penetration/lammps/run.sh %D%/penetration/layouts \
-	%D%/penetration/run.sh %D%/pores.sh %D%/pupcs/run.sh %D%/pupcs/sizes.sh %D%/repose/check %D%/repose/run.sh \
-	%D%/scaling/ghosts.sh %D%/scaling/page.sh %D%/scaling/run.sh %D%/settling/check %D%/settling/run.sh \
-	%D%/settling/section.sh %D%/shear_cell/check %D%/shear_cell/run.sh %D%/speed-error.sh %D%/sphere_array/check \
-	%D%/sphere_array/run.sh %D%/step-fraction.sh %D%/taylor_green/check %D%/taylor_green/run.sh \
-	%D%/tumbling/check %D%/tumbling/run.sh %D%/tumbling/section.sh %D%/two_sizes/check %D%/two_sizes/run.sh \
-	%D%/wet_pile/check %D%/wet_pile/run.sh
+	%D%/dosta2024/measure.sh %D%/dosta2024/page.sh %D%/dosta2024/run.sh %D%/drum/check %D%/drum/lammps/run.sh \
+	%D%/drum/run.sh %D%/dumbbells/check %D%/dumbbells/run.sh %D%/electroosmosis/check %D%/electroosmosis/run.sh \
+	%D%/electroosmosis/section.sh %D%/ergun/check %D%/ergun/run.sh %D%/ergun/section.sh %D%/flow.sh \
+	%D%/fluid_scaling/run.sh %D%/fluid_scaling/section.sh %D%/fluidised_bed/check %D%/fluidised_bed/run.sh \
+	%D%/fluidised_bed/section.sh %D%/gallery/check %D%/gallery/run.sh %D%/gate/check %D%/gate/run.sh \
+	%D%/hard/run.sh %D%/heated_drum/check %D%/heated_drum/run.sh %D%/lammps/check %D%/lammps/make.sh \
+	%D%/penetration/check %D%/penetration/lammps/run.sh %D%/penetration/layouts %D%/penetration/run.sh \
+	%D%/pores.sh %D%/pupcs/run.sh %D%/pupcs/sizes.sh %D%/repose/check %D%/repose/run.sh %D%/scaling/ghosts.sh \
+	%D%/scaling/page.sh %D%/scaling/run.sh %D%/settling/check %D%/settling/run.sh %D%/settling/section.sh \
+	%D%/shear_cell/check %D%/shear_cell/run.sh %D%/speed-error.sh %D%/sphere_array/check %D%/sphere_array/run.sh \
+	%D%/step-fraction.sh %D%/taylor_green/check %D%/taylor_green/run.sh %D%/tumbling/check %D%/tumbling/run.sh \
+	%D%/tumbling/section.sh %D%/two_sizes/check %D%/two_sizes/run.sh %D%/wet_pile/check %D%/wet_pile/run.sh

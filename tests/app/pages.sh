@@ -120,6 +120,7 @@ check 'the whole scenes of the pages' whole
 cat >elsewhere <<'EOS'
 README.md                        it installs packages and builds; the scenes tests/app/pages.sh runs
 CONTRIBUTING.md                  it builds, and .ci/run is made of these commands
+docs/benchmarks.md               hours; tests/app/benchmarks.sh
 docs/building.md                 it builds; .ci/run
 docs/library.md                  tests/app/library.sh
 docs/packing.md                  files of the reader's, and up to 711,907 spheres; tests/app/pack.sh
@@ -127,6 +128,7 @@ docs/python.md                   tests/python/test_tutorial.py
 docs/user-law.md                 tests/app/user_law.sh
 docs/view.md                     it waits for a page, or takes a port that may not be free; tests/app/view.sh
 docs/packaging/README.md         it builds packages; make deb
+examples/dosta2024/README.md     hours; tests/app/benchmarks.sh
 examples/library/README.md       tests/app/library.sh
 examples/verify/README.md        tests/app/verify.sh
 EOS

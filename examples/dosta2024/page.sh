@@ -1,0 +1,47 @@
+#!/bin/sh
+# SPDX-License-Identifier: BSD-3-Clause
+# Writes docs/benchmarks.md and its picture from the rows: page.sh [DOCUMENTS]
+set -eu
+here=$(cd "$(dirname "$0")" && pwd)
+documents=${1:-$here/../../docs}
+export LC_ALL=C
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+mkdir -p "$documents/images"
+
+# The rows by case, fastest first; a row with its rate a core
+grep -v '^#' "$here/rows.tsv" | awk -F'\t' -v OFS='\t' -v cases="impact25 impact50 impact100 silo-large-m1 silo-small-m1 silo-large-m2 silo-small-m2 drum" '
+    BEGIN { n = split(cases, name, " "); for (k = 1; k <= n; k++) place[name[k]] = k }
+    NR == 1 { next }
+    !($1 in place) || NF != 12 { print "rows.tsv: not a row: " $0 >"/dev/stderr"; exit 1 }
+    { print place[$1], $8, $0 }' >"$work/placed"
+sort -s -t "$(printf '\t')" -k1,1n -k2,2g "$work/placed" | cut -f 3- >"$work/rows"
+
+{
+    cat "$here/page.head.md"
+    echo '| case | code | hardware | seconds | million updates a second | a core | result | error |'
+    echo '|---|---|---|---|---|---|---|---|'
+    awk -F'\t' '
+        function million(x) { return sprintf(x < 1e7 ? "%.2f" : x < 1e8 ? "%.1f" : "%.0f", x / 1e6) }
+        NR == FNR {
+            if ($2 ~ /^(MUSEN|LIGGGHTS|peclet)/ && $3 ~ /^Hertz/ && $10 != "-") { sum[$1] += $10; codes[$1]++ }
+            next
+        }
+        {
+            error = codes[$1] && $10 != "-" ? sprintf("%+.1f %%", 100 * ($10 * codes[$1] / sum[$1] - 1)) : "–"
+            cores = $5 == "-" ? "" : $5 == 1 ? ", 1 core" : ", " $5 " cores"
+            mark = $12 ~ /shared|load/ ? " (shared)" : ""
+            printf "| %s | %s: %s | %s%s | %s%s | %s | %s | %s | %s |\n", $1, $2 ~ /^scree/ ? "**" $2 "**" : $2, $3, $4, cores, $8, mark,
+                $9 == "-" ? "–" : million($9), $5 == "-" || $9 == "-" ? "–" : million($9 / $5), $10 == "-" ? "–" : $10, error
+        }' "$work/rows" "$work/rows"
+    if command -v gnuplot >/dev/null; then
+        # a point a row: place of the case, million updates a second of a core or of a card, one file a code
+        awk -F'\t' -v work="$work" '
+            $9 == "-" || $3 ~ /impulses|solver/ { next }
+            { code = $2; sub(/ .*/, "", code); print $1 "\t" ($5 == "-" ? $9 : $9 / $5) / 1e6 >(work "/points-" code) }' "$work/rows"
+        gnuplot -e "work='$work'; picture='$documents/images/benchmarks.svg'" "$here/page.gp"
+        printf '\n![Million particle updates a second, of a core or of a graphics card](images/benchmarks.svg)\n'
+    fi
+    cat "$here/page.tail.md"
+} >"$work/page"
+cp "$work/page" "$documents/benchmarks.md"

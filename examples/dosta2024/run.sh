@@ -1,0 +1,193 @@
+#!/bin/sh
+# SPDX-License-Identifier: BSD-3-Clause
+# A case of Dosta et al., Comput. Phys. Commun. 296 (2024) 109066, beside the curves of other codes:
+#     run.sh CASE [--short] [--step published|safe|solver] [DIR]
+# CASE: impact25 impact50 impact100 silo-large-m1 silo-small-m1 silo-large-m2 silo-small-m2 drum
+#
+# Prints JSON lines; the last holds the result, the reference, and whether the run passed; the exit status is then 0 or 1. Draws DIR/CASE.svg.
+# A run that was stopped goes on from its last checkpoint when the same command is given again, and a run after its --short from there.
+# --short: impacts 32 ms, silos 0.3 s, the drum 0.5 s. --step safe: the longest step that `scree check` calls stable, times 0.9;
+# solver: steps of 0.1 ms (impacts 20 us) by the solver of contacts, the same law and moduli.
+# BED: the published initial state of an impact or a silo, instead of a bed that the script pours. SEEDS: impacts with so many
+# places of the ball, 0.1 mm apart. DURATION, FILL: other simulated seconds of the run and of the pouring. SCREE_RANKS, SCREE_ARGS:
+# ranks, and more arguments of each run.
+set -eu
+here=$(cd "$(dirname "$0")" && pwd)
+. "$here/../common.sh"
+export LC_ALL=C
+cases="impact25 impact50 impact100 silo-large-m1 silo-small-m1 silo-large-m2 silo-small-m2 drum"
+wrong_call() {
+    echo "usage: run.sh CASE [--short] [--step published|safe|solver] [DIR]; CASE is one of $cases" >&2
+    exit 2
+}
+
+case_name=${1:-}
+case " $cases " in *" $case_name "*) shift ;; *) wrong_call ;; esac
+short= step=published out=
+while [ $# -gt 0 ]; do
+    case $1 in
+    --short) short=yes ;;
+    --step)
+        test $# -ge 2 || wrong_call
+        shift
+        step=$1
+        ;;
+    -*) wrong_call ;;
+    *) out=$1 ;;
+    esac
+    shift
+done
+case $step in published | safe | solver) ;; *) wrong_call ;; esac
+test -n "$out" || out=$(results "out-$case_name")
+mkdir -p "$out"
+out=$(cd "$out" && pwd)
+
+# bed_source FILE: the source of grains that lie in a file of this program
+bed_source() { echo "{name: bed, file: '$1', format: h5md, material: $grain}"; }
+
+# What the cases differ in. The arguments of a run are the parameters of the shell, as they have spaces.
+solver_step=1e-4 fill=0 bed=
+case $case_name in
+impact*)
+    thousand=${case_name#impact}
+    count=${thousand}000 scene=$here/../penetration/scene.yaml grain=glass solver_step=2e-5
+    duration=0.1
+    test -z "$short" || duration=0.032
+    set -- --set "particles.sources[ball].id=$((count + 1))" --set output.trajectory.every=0 \
+        --set "observables.list=[{name: position, label: ball, id: $((count + 1)), components: z}, {name: velocity, label: ball, id: $((count + 1)), components: z}]"
+    if [ "$thousand" != 25 ]; then
+        fill=0.15 solid=0.5
+        bed="{name: bed, from: packed, count: $count, sizes: 1 mm, material: glass, region: {shape: box, lower: [-0.049, -0.03, -0.0902431], upper: [0.049, 0.03, $(
+            awk -v n=$count -v f=$solid 'BEGIN { printf "%.6f", -0.0902431 + n * 4.18879e-9 / f / (0.098 * 0.06) }')]}}"
+    fi
+    ;;
+silo*)
+    count=100000 scene=$here/silo.yaml grain=grain fill=0.12
+    duration=5
+    test -z "$short" || duration=0.3
+    set --
+    case $case_name in
+    *small*)
+        set -- --set walls[barrel].point='[0, 0, 0.1707]' --set walls[barrel].length=0.3001 \
+            --set walls[cone].point='[0, 0, -0.0593008]' --set walls[cone].radius=0.02 --set walls[cone].length=0.08 \
+            --set walls[lid].point='[0, 0, -0.0593008]' --set walls[lid].radius=0.02 \
+            --set 'particles.sources[bed].region={shape: cylinder, centre: [0, 0, 0.1079], radius: 0.1, length: 0.1744}' --set particles.sources[bed].count=89652 \
+            --set 'particles.sources[cone1].region={shape: cylinder, centre: [0, 0, -0.0459508], radius: 0.02, length: 0.0267}' --set particles.sources[cone1].count=520 \
+            --set 'particles.sources[cone2].region={shape: cylinder, centre: [0, 0, -0.0192508], radius: 0.0467, length: 0.0267}' --set particles.sources[cone2].count=2838 \
+            --set 'particles.sources[cone3].region={shape: cylinder, centre: [0, 0, 0.0074492], radius: 0.0733, length: 0.0267}' --set particles.sources[cone3].count=6990 \
+            --set 'deletions[outlet].region.upper=[1, 1, -0.0893008]' --set 'observables.regions[silo].lower=[-.inf, -.inf, -0.0593008]'
+        ;;
+    esac
+    case $case_name in
+    *m2)
+        set -- "$@" --set materials[grain].density=2000 --set materials[grain].young=5e8 --set 'material_pairs[grain, grain].restitution=0.4' \
+            --set 'material_pairs[grain, grain].friction=0.4' --set step.dt=2e-6
+        ;;
+    esac
+    ;;
+drum)
+    count=38000 scene=$here/../drum/scene.yaml
+    duration=5
+    test -z "$short" || duration=0.5
+    set -- --set output.trajectory.every=0
+    ;;
+esac
+duration=${DURATION:-$duration}
+fill=${FILL:-$fill}
+
+solver="--set contact.solver=gauss_seidel --set contact.solver.sweeps=30"
+# shellcheck disable=SC2086
+scree_run() { on_ranks "${SCREE_RANKS:-1}" "$SCREE" run "$@" ${SCREE_ARGS:-} >&2; }
+
+# pour ARGUMENT...: the bed that DIR/bed/trajectory.h5 holds, if the case has one that is not published with these examples
+pour() {
+    if [ -n "${BED:-}" ]; then
+        { echo radius x y z; tr -d '\r' <"$BED" | awk 'NF == 4 && $1 + 0 > 0 { print $1, $2, $3, $4 } NF == 3 && $1 == $1 + 0 { print 0.002, $1, $2, $3 }'; } >"$out/bed.txt"
+        bed_source="{name: bed, file: '$out/bed.txt', format: table, material: $grain}"
+        echo "{\"bed\": \"$BED\", \"particles\": $(($(wc -l <"$out/bed.txt") - 1))}"
+        return
+    fi
+    bed_source=$(bed_source "$out/bed/trajectory.h5")
+    test ! -s "$out/bed.json" || { cat "$out/bed.json"; return; }
+    echo "pouring the bed: $fill s" >&2
+    test -z "$bed" || set -- "$@" --set "particles.sources=[$bed]"
+    # shellcheck disable=SC2086
+    scree_run "$scene" -o "$out/bed" --overwrite "$@" $solver --set 'step.dt=~' --set step.fraction=0.4 --set contact.solver.tolerance=1e-3 --set duration="$fill" --set guards.residual=off \
+        --set "output.trajectory.every={time: $fill}" --set output.checkpoint.at_end=false \
+        --set 'observables.list=[{name: energy_kinetic_mean}, {name: particles}, {name: largest, of: z, unit: m, label: top}]'
+    printf '{"bed": "poured", "particles": %d, "seconds": %.4g, "simulated": %s, "top": %.5f, "mean_kinetic_energy": %.3g}\n' \
+        "$(report_number "$out/bed" particles)" "$(report_number "$out/bed" seconds)" "$fill" \
+        "$("$SCREE" info "$out/bed" --column top --row last)" "$("$SCREE" info "$out/bed" --column energy_kinetic_mean --row last)" | tee "$out/bed.json"
+}
+
+# advance FOLDER ARGUMENT...: the run, from its last checkpoint if it has one; its steps, seconds, updates go to FOLDER/segments
+advance() {
+    run=$out/$1
+    shift
+    how=--overwrite
+    if [ -e "$run/segments" ] && [ "$(cat "$run/settings")" = "$step ${SCREE_RANKS:-1} ${SCREE_ARGS:-}" ] && ls "$run"/checkpoint-*.h5 >/dev/null 2>&1; then
+        how='--resume last'
+    else
+        mkdir -p "$run"
+        rm -f "$run/segments"
+    fi
+    rm -f "$run/report.json"
+    echo "$step ${SCREE_RANKS:-1} ${SCREE_ARGS:-}" >"$run/settings"
+    case $step in
+    safe) set -- "$@" --set 'step.dt=~' --set step.fraction=0.9 ;;
+    solver) set -- "$@" --set step.dt=$solver_step ;;
+    esac
+    # shellcheck disable=SC2086
+    test $step != solver || set -- "$@" $solver
+    # shellcheck disable=SC2086
+    scree_run "$scene" -o "$run" $how "$@" --set duration="$duration" --set output.checkpoint.minutes=10
+    printf '%s %s %s %s %s\n' "$(report_number "$run" steps)" "$(report_number "$run" seconds)" "$(report_number "$run" particle_steps_per_second)" \
+        "$(report_number "$run" ranks)" "$(report_number "$run" threads)" >>"$run/segments"
+    awk -v t="$(report_number "$run" time)" -v end="$duration" 'BEGIN { exit !(t < end * (1 - 1e-6)) }' || return 0
+    echo "stopped at $(report_number "$run" time) s; the same command goes on from there" >&2
+    exit 3
+}
+
+# verdict FOLDER: the last line of a case
+verdict() {
+    run=$out/$1
+    {
+        awk '{ steps += $1; seconds += $2; updates += $2 * $3; cores = $4 * $5 }
+            END { speed = seconds > 0 ? updates / seconds / cores : 0; printf "%d %.6g %d %.6g\n", steps, seconds, cores, speed }' "$run/segments"
+        printf '%s %s %s\n' "$(report_number "$run" git_revision)" "$(report_number "$run" dt)" "$(report_number "$run" cpu | tr -d '"')"
+    } >"$run/costs"
+    awk -F, -v name="$case_name" -v count="$count" -v step="$step" -v costs="$run/costs" -v folder="$here/curves" \
+        -f "$here/curves.awk" -f "$here/${case_name%%[-0-9]*}.awk" "$run/observables.csv" | tee "$run/verdict.json"
+}
+
+picture() {
+    command -v gnuplot >/dev/null || { echo "no gnuplot here, so nothing is drawn" >&2; return 0; }
+    gnuplot -e "name='$case_name'; ours='$out/run/observables.csv'; curves='$here/curves'; picture='$out/$case_name.svg'" "$here/picture.gp" &&
+        echo "drawn: $out/$case_name.svg" >&2
+}
+
+test "$fill" = 0 || pour "$@"
+case $case_name in
+impact25) ;;
+impact*) set -- "$@" --set "particles.sources[bed]=$bed_source" ;;
+silo*) set -- "$@" --set "particles.sources=[$bed_source]" --set 'walls[lid]=~' ;;
+esac
+seed=1
+: >"$out/verdicts"
+while [ "$seed" -le "${SEEDS:-1}" ]; do
+    folder=run
+    case $seed,$case_name in
+    1,*) advance run "$@" ;;
+    *,impact*)
+        folder=run-$seed
+        advance $folder "$@" --set "particles.sources[ball].position=[$(awk -v k="$seed" 'BEGIN { print 1e-4 * (k - 1) }'), 0, 6 cm]"
+        ;;
+    *) break ;;
+    esac
+    verdict $folder >"$out/verdict.json"
+    cat "$out/verdict.json" >>"$out/verdicts"
+    test "${SEEDS:-1}" = 1 || cat "$out/verdict.json"
+    seed=$((seed + 1))
+done
+picture
+awk -f "$here/seeds.awk" "$out/verdicts"
