@@ -31,9 +31,11 @@ nobase_dist_pkgdata_DATA += \
 	%D%/periodic/scene.yaml %D%/plane-mesh/scene.yaml %D%/restitution-hertz/particles.txt \
 	%D%/restitution-hertz/plot.gp %D%/restitution-hertz/scene.yaml %D%/restitution-hooke/particles.txt \
 	%D%/restitution-hooke/plot.gp %D%/restitution-hooke/scene.yaml %D%/restitution-speed/particles.txt \
-	%D%/restitution-speed/plot.gp %D%/restitution-speed/scene.yaml %D%/rolling-decay/scene.yaml \
-	%D%/settling/scene.yaml %D%/slide-to-roll/scene.yaml %D%/stack/scene.yaml %D%/sticking-velocity/scene.yaml \
-	%D%/style.gp %D%/tumbling-clump/scene.yaml %D%/turning-wall/disc.txt %D%/turning-wall/hertz.yaml \
+	%D%/restitution-speed/plot.gp %D%/restitution-speed/scene.yaml %D%/rock-energy/scene.yaml \
+	%D%/rock-rest/scene.yaml %D%/rock-rod/scene.yaml %D%/rock-slope/scene.yaml %D%/rock-stack/cubes.txt \
+	%D%/rock-stack/scene.yaml %D%/rock-tumbling/scene.yaml %D%/rolling-decay/scene.yaml %D%/settling/scene.yaml \
+	%D%/slide-to-roll/scene.yaml %D%/stack/scene.yaml %D%/sticking-velocity/scene.yaml %D%/style.gp \
+	%D%/tumbling-clump/scene.yaml %D%/turning-wall/disc.txt %D%/turning-wall/hertz.yaml \
 	%D%/turning-wall/plane.yaml %D%/turning-wall/scene.yaml %D%/vyas/plot.gp %D%/vyas/ratio-100.txt \
 	%D%/vyas/scene.yaml %D%/wall-edge/plate.txt %D%/wall-edge/scene.yaml
 
@@ -51,6 +53,8 @@ nobase_dist_pkgdata_SCRIPTS += \
 	%D%/heat-rod/check %D%/implicit-hertz/check %D%/incline/check %D%/janssen/check %D%/jkr-pull-off/check \
 	%D%/layouts.sh %D%/lees-edwards-gas/check %D%/luding-unloading/check %D%/many-body/check \
 	%D%/moving-wall/check %D%/order-hertz/check %D%/order-hooke/check %D%/periodic/check %D%/plane-mesh/check \
-	%D%/restitution-hertz/check %D%/restitution-hooke/check %D%/restitution-speed/check %D%/rolling-decay/check \
-	%D%/run.sh %D%/settling/check %D%/slide-to-roll/check %D%/stack/check %D%/sticking-velocity/check \
-	%D%/table.sh %D%/tumbling-clump/check %D%/turning-wall/check %D%/vyas/check %D%/wall-edge/check
+	%D%/restitution-hertz/check %D%/restitution-hooke/check %D%/restitution-speed/check %D%/rock-energy/check \
+	%D%/rock-rest/check %D%/rock-rod/check %D%/rock-slope/check %D%/rock-stack/check %D%/rock-tumbling/check \
+	%D%/rolling-decay/check %D%/run.sh %D%/settling/check %D%/slide-to-roll/check %D%/stack/check \
+	%D%/sticking-velocity/check %D%/table.sh %D%/tumbling-clump/check %D%/turning-wall/check %D%/vyas/check \
+	%D%/wall-edge/check

@@ -214,7 +214,6 @@ static void point_act(struct rocks_pair *pair, const struct ends *ends, const st
     store(law_scale(share, law_add(out->force, -spring, vector(point->normal))), force);
     store(law_scale(share, out->rolling), roll);
     force_give(pair, ends, force, roll, arm);
-    pair->sums.normal += share * out->normal_energy;
     pair->sums.tangential += share * out->spring_energy;
     pair->sums.taken += share * out->taken;
 }
@@ -262,6 +261,7 @@ static void pair_act(const struct scene_of *scene, struct rocks_pair *pair) {
         store(out.spring, now[k].spring);
         store(out.roll, now[k].roll);
         spring = elastic(scene, &in);
+        pair->sums.normal = out.normal_energy;
         point_act(pair, &ends, &out, &touch.point[k], spring, (const double(*)[3])arm);
     }
     push_act(pair, &ends, &touch, spring);

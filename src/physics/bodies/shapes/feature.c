@@ -104,20 +104,26 @@ static void point_give(struct touch *touch, const struct feature *feature, doubl
     memcpy(point->normal, feature->normal, sizeof point->normal);
 }
 
-void feature_sum(const struct features *features, const double apart[3], double merge, struct touch *touch) {
-    double square = 0, cube = 0, shares = 0;
+/* The norm of the overlaps. */
+static double overlap_of(const struct features *features) {
+    double most = 0, sum = 0;
+    for (int k = 0; k < features->count; k++)
+        most = fmax(most, features->feature[k].overlap);
     for (int k = 0; k < features->count; k++) {
-        double overlap = features->feature[k].overlap;
-        square += overlap * overlap;
-        cube += overlap * overlap * overlap;
+        double part = features->feature[k].overlap / most, square = part * part;
+        sum += square * square * square;
     }
-    touch->overlap = cube / square;
+    return most * cbrt(sqrt(sum));
+}
+
+void feature_sum(const struct features *features, const double apart[3], double merge, struct touch *touch) {
+    touch->overlap = overlap_of(features);
     for (int k = 0; k < features->count; k++) {
         const struct feature *feature = &features->feature[k];
-        double share = feature->overlap * feature->overlap / square, arm[2][3], push[3], torque[3];
-        double part = feature->overlap * (3 * feature->overlap - 2 * touch->overlap) / square;
+        const double part = feature->overlap / touch->overlap, share = part * part * part * part * part;
+        double arm[2][3], push[3], torque[3];
         for (int d = 0; d < 3; d++) {
-            push[d] = part * feature->weight * feature->normal[d];
+            push[d] = share * feature->weight * feature->normal[d];
             arm[0][d] = feature->at[d];
             arm[1][d] = feature->at[d] - apart[d];
             touch->push[d] += push[d];
@@ -126,12 +132,8 @@ void feature_sum(const struct features *features, const double apart[3], double 
             const double sign = side ? 1 : -1;
             cross(arm[side], push, torque);
             for (int d = 0; d < 3; d++)
-                touch->turn[side][d] += sign * (torque[d] - part * feature->twist[d]);
+                touch->turn[side][d] += sign * (torque[d] - share * feature->twist[d]);
         }
         point_give(touch, feature, share, merge);
     }
-    for (int k = 0; k < touch->points; k++)
-        shares += touch->point[k].share;
-    for (int k = 0; k < touch->points; k++)
-        touch->point[k].share /= shares;
 }

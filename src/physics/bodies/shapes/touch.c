@@ -110,8 +110,9 @@ bool touch_find(const struct posed *a, const struct posed *b, const double apart
         pair.slack = pair.roundings - nearest.distance;
         pair.top_a = top_of(a, touch->normal, 1);
         pair.top_b = top_of(b, touch->normal, -1);
-        corners_take(&features, &pair, 0);
-        if (a->core->corners + b->core->corners > 2)
+        if (b->core->corners > 1) /* the middle of a sphere is the only feature of its contact */
+            corners_take(&features, &pair, 0);
+        if (a->core->corners > 1 || b->core->corners == 1)
             corners_take(&features, &pair, 1);
         edges_take(&features, &pair);
     } else {

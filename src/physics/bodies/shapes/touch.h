@@ -3,20 +3,20 @@
  *
  * The features of a contact are the corners of either solid above the other one, and pairs of edges, as far as they are nearer
  * than both roundings together. Feature k overlaps by d_k: the sum of the roundings less its distance from the other core, or of two edges
- * the distance of the edges. The contact has one overlap,
+ * the distance of the edges. The contact has one overlap, a norm of theirs:
  *
- *     d = sum d_k^3 / sum d_k^2
+ *     d = (sum d_k^6)^(1/6)
  *
- * which is d_k where all are equal, and that of the deepest feature where the others are small. With the energy E(d) of a law of spheres the
- * forces are its slopes: feature k pushes along its own normal n_k by
+ * With the energy E(d) of a law of spheres the forces are its slopes: feature k pushes along its own normal by
  *
- *     g_k E'(d),   g_k = d d / d d_k = s_k (3 - 2 d / d_k),   s_k = d_k^2 / sum d^2
+ *     s_k E'(d),   s_k = d d / d d_k = (d_k / d)^5
  *
- * Each d_k is a smooth function of the places of both solids, and comes and goes at 0. So no impact makes or loses
- * energy, whatever tilts or slides; nothing jumps where faces meet; and a contact of faces is as stiff as one of corners,
- * at which two spheres of the radii of the roundings touch. A feature far above the deepest one pulls a little (g_k < 0), as the deepest one
- * then has more than all. Two edges that are parallel have no nearest points: the d_k of edges has a factor, which falls from 1 to 0 where their
- * angle falls below TOUCH_PARALLEL, with its slope as a torque; the corners at their ends stay.
+ * A contact with one feature, as that of most impacts, is that of two spheres of the radii of the roundings. n features that overlap
+ * alike are n^(1/3) times as stiff as one by a linear law: four corners on a plane 1.6 times. Each d_k is a smooth
+ * function of the places of both solids, and comes and goes at 0: so no impact makes or loses energy, whatever tilts
+ * or slides, no feature pulls, and nothing jumps where faces meet. Two edges that are parallel have no nearest points: the d_k
+ * of edges has a factor, which falls from 1 to 0 where their angle falls below TOUCH_PARALLEL, with its slope as a torque; the corners
+ * at their ends stay.
  *
  * Friction and dampers act at up to eight points: features whose places are nearer than half of the smaller rounding are one point, with
  * their shares s_k together.

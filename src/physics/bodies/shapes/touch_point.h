@@ -18,7 +18,7 @@ static inline uint32_t touch_key(enum touch_kind kind, int a, int b) {
 struct touch_point {
     double at[3];     /* in the middle of the overlap, about the centre of A */
     double normal[3]; /* unit vector from A to B */
-    double share;     /* together 1 */
+    double share;     /* of the force that the law gives for the overlap of the contact */
     uint32_t key;     /* touch_key */
 };
 
