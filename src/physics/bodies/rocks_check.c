@@ -22,7 +22,7 @@ static bool check_law(const struct physics_context *context, struct error *error
     if (scene->law.solved)
         return scene_fail(
             scene, error, "bodies.shapes",
-            "contact.solver knows spheres alone: rocks touch by an explicit law (not built yet)");
+            "contact.solver knows spheres and bodies of spheres: rocks touch by an explicit law (not built yet)");
     return true;
 }
 

@@ -179,17 +179,13 @@ static struct law_contact contact_of(const struct scene_of *scene, const struct 
                              .coefficients = *ends->coefficients,
                              .half_normal = vector(point->normal),
                              .spin = law_add(vector(spin), -1, vector(scene->omega[pair->end[0]]))};
-    if (scene->law->options.user)
-        in.springs =
-            law_springs_of(&scene->law->options, ends->coefficients, ends->extra, in.radius, in.overlap);
     return in;
 }
 
-/* The elastic force of the law. */
-static double elastic(const struct scene_of *scene, const struct law_contact *in) {
-    return scene->law->options.user
-               ? in->springs.force
-               : law_springs(scene->law_case.normal, &in->coefficients, in->radius, in->overlap).force;
+/* The normal springs of the law at a point. */
+static struct law_springs springs_of(const struct scene_of *scene, const struct ends *ends,
+                                     const struct law_contact *in) {
+    return law_springs_of(&scene->law->options, ends->coefficients, ends->extra, in->radius, in->overlap);
 }
 
 /* Adds a force on the second end at an arm from both centres, with a torque of rolling. */
@@ -257,10 +253,11 @@ static void pair_act(const struct scene_of *scene, struct rocks_pair *pair) {
         struct law_contact in = contact_of(scene, pair, &ends, &touch, k, arm);
         in.spring = vector(now[k].spring);
         in.roll = vector(now[k].roll);
-        struct law_response out = law_respond(scene->law_case, scene->step, &in);
+        struct law_springs springs = springs_of(scene, &ends, &in);
+        struct law_response out = law_respond_with(scene->law_case, scene->step, &in, springs);
         store(out.spring, now[k].spring);
         store(out.roll, now[k].roll);
-        spring = elastic(scene, &in);
+        spring = springs.force;
         pair->sums.normal = out.normal_energy;
         point_act(pair, &ends, &out, &touch.point[k], spring, (const double(*)[3])arm);
     }

@@ -17,7 +17,7 @@ bool hard_file_open(const struct physics_context *context, const char *directory
     return true;
 }
 
-static bool file_write(const struct physics_context *context, const struct hard_local *local,
+static bool file_write(const struct physics_context *context, const struct hard_form *local,
                        struct error *error) {
     const struct hard *hard = context->self;
     const struct clock *clock = context->clock;
@@ -48,19 +48,19 @@ static bool file_write(const struct physics_context *context, const struct hard_
 bool hard_file_write(const struct physics_context *context, struct error *error) {
     struct hard *hard = context->self;
     const struct clock *clock = context->clock;
-    struct hard_local local;
+    struct hard_form local;
     if (hard->written == (int64_t)clock->step ||
         !output_interval_due(&context->scene->output.contact_problems.every, clock->step, clock->time,
                              clock->dt))
         return true;
     hard->written = (int64_t)clock->step;
-    bool good = hard_local_make(&local, &hard->solver, context->particles);
+    bool good = hard_form_make(&local, &hard->solver, context->particles);
     if (!good)
         error_set(error, ERROR_SYSTEM,
                   "output.contact_problems: the matrix of step %llu has more numbers than FCLIB's format",
                   (unsigned long long)clock->step);
     else if (local.contacts > 0)
         good = file_write(context, &local, error);
-    hard_local_free(&local);
+    hard_form_free(&local);
     return good;
 }

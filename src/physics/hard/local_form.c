@@ -165,7 +165,7 @@ static void column_fill(const struct net *net, size_t c, int k, const uint32_t *
     }
 }
 
-static bool matrix_make(struct hard_local *local, const struct net *net) {
+static bool matrix_make(struct hard_form *local, const struct net *net) {
     uint32_t *partner = memory_allocate(2 * net->records, sizeof *partner, what);
     size_t entries = 0;
     for (size_t c = 0; c < net->records; c++)
@@ -193,7 +193,7 @@ static bool matrix_make(struct hard_local *local, const struct net *net) {
 /* Springs and biases of a row at its solution: soft in normal and tangential direction, bias of the normal row. */
 static void springs_of(const struct record *record, double u_n, double dt, double soft[2], double *bias) {
     const struct hard_row *row = &record->row;
-    double push = hard_push(&record->body[0], &record->body[1]), free = u_n - push * row->p;
+    double push = hard_push(row, &record->body[0], &record->body[1]), free = u_n - push * row->p;
     soft[0] = row->soft_n;
     soft[1] = row->soft_t;
     *bias = row->bias;
@@ -213,7 +213,7 @@ static void springs_of(const struct record *record, double u_n, double dt, doubl
     }
 }
 
-static void vectors_make(struct hard_local *local, const struct net *net, double dt) {
+static void vectors_make(struct hard_form *local, const struct net *net, double dt) {
     struct hard_body *body = memory_allocate(net->bodies, sizeof *body, what);
     memcpy(body, net->body, net->bodies * sizeof *body);
     for (size_t c = 0; c < net->records; c++) {
@@ -242,12 +242,12 @@ static void vectors_make(struct hard_local *local, const struct net *net, double
     memory_free(body);
 }
 
-bool hard_local_make(struct hard_local *local, const struct hard_solver *solver,
+bool hard_form_make(struct hard_form *local, const struct hard_solver *solver,
                      const struct particles *particles) {
     struct net net = {0};
     bool fits = true;
     records_gather(&net, solver, particles);
-    *local = (struct hard_local){.contacts = net.records};
+    *local = (struct hard_form){.contacts = net.records};
     if (net.records > 0) {
         double **vector[] = {&local->q, &local->r, &local->u, &local->soft, &local->shift};
         for (size_t k = 0; k < sizeof vector / sizeof vector[0]; k++)
@@ -265,7 +265,7 @@ bool hard_local_make(struct hard_local *local, const struct hard_solver *solver,
     return fits;
 }
 
-void hard_local_free(struct hard_local *local) {
+void hard_form_free(struct hard_form *local) {
     memory_free(local->start);
     memory_free(local->row);
     memory_free(local->value);
@@ -276,5 +276,5 @@ void hard_local_free(struct hard_local *local) {
     memory_free(local->soft);
     memory_free(local->shift);
     memory_free(local->id);
-    *local = (struct hard_local){0};
+    *local = (struct hard_form){0};
 }

@@ -12,8 +12,8 @@
 #include "data/formats/contact_problem.h"
 #include "physics/hard/hard_solve.h"
 
-/* Owns its arrays; hard_local_free releases. */
-struct hard_local {
+/* Owns its arrays; hard_form_free releases. */
+struct hard_form {
     size_t contacts;
     int32_t *start, *row;
     double *value, *q, *mu, *r, *u, *soft, *shift;
@@ -22,8 +22,8 @@ struct hard_local {
 
 /* Makes the problem on rank 0, contacts in the order of their ids; other ranks get none. False if W has more than 2^31 - 1 numbers.
  * Collective, one thread a rank. */
-bool hard_local_make(struct hard_local *local, const struct hard_solver *solver,
+bool hard_form_make(struct hard_form *local, const struct hard_solver *solver,
                      const struct particles *particles);
-void hard_local_free(struct hard_local *local);
+void hard_form_free(struct hard_form *local);
 
 #endif

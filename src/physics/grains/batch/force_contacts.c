@@ -65,7 +65,6 @@ size_t force_loop_contacts(const struct force_context *context, struct force_con
     struct force_context still = *context; /* springs stay */
     still.dt = 0.0;
     still.want_sums = still.ordered = false;
-    still.ring = NULL;
     struct walk_work work = force_walk_work(&still);
     const struct pairlist *pairs = context->list;
     struct walk *walk = walk_create(&client, pairs->threads);

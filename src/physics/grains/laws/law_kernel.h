@@ -172,11 +172,10 @@ LAW_INLINE void law_rub(struct law_case law, struct law_step step, const struct 
     out->rolling = law_scale(in->radius, force);
 }
 
-/* Forces and torques of a contact: formulas in law.h and docs/physics.md. Any thread. */
-LAW_INLINE struct law_response law_respond(struct law_case law, struct law_step step,
-                                           const struct law_contact *in) {
+/* Forces and torques of a contact whose normal springs are known, as those of a law of the user's are. Any thread. */
+LAW_INLINE struct law_response law_respond_with(struct law_case law, struct law_step step,
+                                                const struct law_contact *in, struct law_springs springs) {
     struct law_response out = {0};
-    struct law_springs springs = law_springs(law.normal, &in->coefficients, in->radius, in->overlap);
     double base = law.damping_given ? in->mass * springs.contact : sqrt(in->mass * springs.stiffness);
     double rate = law_dot(in->velocity, in->normal);
     double force = springs.force - in->coefficients.c_n * base * rate;
@@ -189,6 +188,13 @@ LAW_INLINE struct law_response law_respond(struct law_case law, struct law_step 
     if (law.friction)
         law_rub(law, step, in, force, springs.tangential, base, &out);
     return out;
+}
+
+/* Forces and torques of a contact: formulas in law.h and docs/physics.md. Any thread. */
+LAW_INLINE struct law_response law_respond(struct law_case law, struct law_step step,
+                                           const struct law_contact *in) {
+    return law_respond_with(law, step, in,
+                            law_springs(law.normal, &in->coefficients, in->radius, in->overlap));
 }
 
 #endif
