@@ -17,6 +17,8 @@ struct hard {
     double smallest;     /* radius of free grains, over all ranks; INFINITY: none yet */
     double light, heavy; /* their masses, insertions left out */
     /* Since this program began. */
+    uint64_t refined, steps,
+        iterations; /* solves by Newton's method that took steps, its steps, those of its linear solver */
     uint64_t solves, sweeps, unmet; /* unmet: with a residual above the tolerance */
     double worst;                   /* residual */
     bool warned;                    /* of a residual */

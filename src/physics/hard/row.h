@@ -26,6 +26,9 @@
 #include <stdbool.h>
 #include <stdint.h>
 
+/* Above its speed of release the force of a row falls to 0 within this part of the spring's excess of speed. */
+#define HARD_RELEASE_PART 0.01
+
 /* A body: velocity and spin, 1/mass and 1/moment of inertia. A wall has zeros for these. */
 struct hard_body {
     double v[3], lightness;
@@ -40,9 +43,10 @@ struct hard_row {
     double gap;            /* between the surfaces at the start of the step; negative: overlap */
     double bias;           /* velocity */
     double soft_n, soft_t; /* velocity over impulse */
-    double release;        /* largest speed at which an overlap is released; INFINITY: any */
-    double friction;       /* Coulomb's coefficient */
-    double hertz;          /* impulse over overlap^(3/2); 0: a linear row */
+    double
+        release; /* speed at which an overlap is released at most, but for HARD_RELEASE_PART; INFINITY: any */
+    double friction; /* Coulomb's coefficient */
+    double hertz;    /* impulse over overlap^(3/2); 0: a linear row */
     double damper;   /* impulse over velocity, of Hertz and overlap^(1/4); of a linear row a part of soft_n */
     double shear;    /* of Hertz: impulse over distance and overlap^(1/2) of its tangential spring */
     double deep;     /* of Hertz: overlap at the last visit */
@@ -99,11 +103,13 @@ static inline void hard_apply(const struct hard_row *row, struct hard_body *a, s
     }
 }
 
-/* The normal impulse of a row of Hertz: the root of y (1 + a c) + a dt k y^(3/2) = -(gap + dt u_free) - a c gap,
- * whose left side is convex, from above by Newton; the damper has the overlap of the last visit. */
+/* The normal impulse of a row of Hertz: the root of y (1 + a c) + a dt k y^(3/2) = -(gap + dt u_free) - a c g, whose left
+ * side is convex, from above by Newton; the damper has the overlap of the last visit. g = min(gap, 0): a damper acts from touch on, as
+ * that of a linear row. */
 static inline double hard_hertz(struct hard_row *row, double dt, double a, double free) {
     double c = row->damper * sqrt(sqrt(row->deep)), linear = 1.0 + a * c;
-    double steep = a * dt * row->hertz, goal = -(row->gap + dt * free) - a * c * row->gap;
+    double touch = fmin(row->gap, 0.0);
+    double steep = a * dt * row->hertz, goal = -(row->gap + dt * free) - a * c * touch;
     if (!(goal > 0.0)) {
         row->deep = 0.0;
         return 0.0;
@@ -116,7 +122,7 @@ static inline double hard_hertz(struct hard_row *row, double dt, double a, doubl
         y -= miss / (linear + 1.5 * steep * root);
     }
     row->deep = y;
-    return fmax(0.0, row->hertz * y * sqrt(y) + c * (y + row->gap) / dt);
+    return fmax(0.0, row->hertz * y * sqrt(y) + c * (y + touch) / dt);
 }
 
 /* The impulses that the row wants while those of all others stay: a visit without its effect on the bodies. */
@@ -133,8 +139,11 @@ static inline void hard_wish(struct hard_row *row, double dt, const struct hard_
         *p = hard_hertz(row, dt, push, free);
         soft_t = row->deep > 0.0 && row->shear > 0.0 ? 1.0 / (row->shear * sqrt(row->deep)) : 0.0;
     } else {
-        *p = fmax(0.0, -(free + row->bias) / (push + row->soft_n));
-        *p = fmin(*p, fmax(0.0, (row->release - free) / push));
+        double spring = -(free + row->bias) / (push + row->soft_n);
+        if (free + push * spring > row->release)
+            spring = (row->release - HARD_RELEASE_PART * (row->release + row->bias) - free) /
+                     (push + HARD_RELEASE_PART * row->soft_n);
+        *p = fmax(0.0, spring);
     }
     double limit = row->friction * *p;
     if (!(limit > 0.0))
