@@ -216,7 +216,7 @@ REAL(solver_seconds_products, most(of, of->part.solver[k].seconds_products))
 
 const struct report_row run_report_solver_rows[] = {
     {.name = "name", .unit = "", .text = solver_name,
-     .help = "the unknown: `velocity`, `pressure`, or `steady` for both at once; `contacts` of contact.solver"},
+     .help = "the unknown: `velocity`, `pressure`, or `steady` for both at once; `contacts` of contact.solver, by sweeps; `newton` its steps by Newton's method, `newton_step` their linear systems"},
     {.name = "rows", .unit = "1", .count = solver_rows,
      .help = "unknowns, all ranks together; of contacts: contacts of the last step that may close"},
     {.name = "entries", .unit = "1", .count = solver_entries,

@@ -113,6 +113,36 @@ const double *hard_border_gathered(const struct hard_border *border, size_t k) {
     return numbers_of(border, k);
 }
 
+void hard_border_spread(struct hard_border *border, double (*value)[6]) {
+    const struct field_list fields = fields_one(border->field);
+    struct particles *p = border->particles;
+    size_t count;
+    if (border->ghosts == NULL)
+        return;
+    const uint32_t *original = ghosts_originals(border->ghosts, &count);
+    for (size_t k = 0; k < count; k++)
+        memcpy(numbers_of(border, original[k]), value[original[k]], sizeof *value);
+    ghosts_forward_begin(border->ghosts, p, &fields);
+    ghosts_forward_end(border->ghosts, p);
+    for (size_t k = p->owned; k < p->owned + p->ghosts; k++)
+        memcpy(value[k], numbers_of(border, k), sizeof *value);
+}
+
+void hard_border_collect(struct hard_border *border, double (*value)[6]) {
+    struct particles *p = border->particles;
+    size_t count;
+    if (border->ghosts == NULL)
+        return;
+    const uint32_t *original = ghosts_originals(border->ghosts, &count);
+    for (size_t k = 0; k < count; k++)
+        memcpy(numbers_of(border, original[k]), value[original[k]], sizeof *value);
+    for (size_t k = p->owned; k < p->owned + p->ghosts; k++)
+        memcpy(numbers_of(border, k), value[k], sizeof *value);
+    sum_home(border);
+    for (size_t k = 0; k < count; k++)
+        memcpy(value[original[k]], numbers_of(border, original[k]), sizeof *value);
+}
+
 void hard_border_split(const struct hard_border *border, struct hard_problem *problem, bool split) {
     for (size_t k = 0; border->ghosts && k < border->particles->owned + border->particles->ghosts; k++) {
         double factor = split ? border->holders[k] : 1.0 / border->holders[k];

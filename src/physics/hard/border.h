@@ -34,6 +34,10 @@ void hard_border_gather(struct hard_border *border, const struct hard_problem *p
 /* The sum of particle k, an original: impulse and its moment, six doubles. */
 const double *hard_border_gathered(const struct hard_border *border, size_t k);
 
+/* Six numbers of each particle: copies take those of their originals; originals add those of their copies. Collective. */
+void hard_border_spread(struct hard_border *border, double (*value)[6]);
+void hard_border_collect(struct hard_border *border, double (*value)[6]);
+
 /* Joins what the holders have done to the velocities since the last exchange: their sum, or their mean where the masses
  * are split. */
 void hard_border_join(struct hard_border *border, struct hard_problem *problem, bool split);

@@ -4,12 +4,13 @@
 #ifndef SCREE_HARD_HARD_H
 #define SCREE_HARD_HARD_H
 
-enum hard_method { HARD_GAUSS_SEIDEL };
+enum hard_method { HARD_GAUSS_SEIDEL, HARD_NEWTON };
 
 /* Plain data (scene key contact.solver). */
 struct hard_options {
     int method;       /* enum hard_method */
     int sweeps;       /* at most so many a step */
+    int steps;        /* Newton: at most so many a step */
     double tolerance; /* on the residual; 0: always all sweeps */
     double kappa;     /* stiffness of rigid contacts in units of the step; INFINITY: rigid */
     double repair;    /* largest release of an overlap in a step, over the smaller radius */

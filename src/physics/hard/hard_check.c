@@ -75,6 +75,22 @@ static bool only_looks(const struct physics *row) {
     return !row->maker && !row->joints && !row->limit && !row->energy && !row->mover && !row->carrier;
 }
 
+/* Newton's method needs a library, and springs. */
+static bool check_newton(const struct scene *scene, const struct hard_options *options, struct error *error) {
+    if (options->method != HARD_NEWTON)
+        return true;
+    if (!solve_available())
+        return scene_fail(scene, error, "contact.solver.name",
+                          "newton needs PETSc, without which this scree was built; allowed: gauss_seidel");
+    if (isinf(options->kappa))
+        return scene_fail(scene, error, "contact.solver.kappa",
+                          "rigid rows have no derivative; allowed with newton is a finite number");
+    if (scene->physics_given[PHYSICS_bodies])
+        return scene_fail(scene, error, "contact.solver.name",
+                          "newton knows spheres alone; allowed with bodies: gauss_seidel");
+    return true;
+}
+
 bool hard_check(const struct physics_context *context, struct error *error) {
     const struct scene *scene = context->scene;
     static const char with[] = "does not go with contact.solver yet; allowed with it: %s";
@@ -99,5 +115,6 @@ bool hard_check(const struct physics_context *context, struct error *error) {
     if (output_interval_set(&scene->output.contact_problems.every) && scene->physics_given[PHYSICS_bodies])
         return scene_fail(scene, error, "output.contact_problems.every",
                           "does not go with bodies yet; allowed: spheres");
-    return check_law(scene, error) && check_pairs(scene, error);
+    return check_law(scene, error) && check_pairs(scene, error) &&
+           check_newton(scene, context->options, error);
 }

@@ -62,7 +62,7 @@ static void *create(const struct physics_context *context) {
     hard->context = context;
     grains_contact(context)->solved = listed;
     grains_contact(context)->solver = hard;
-    solver->comm = context->comm;
+    solver->comm = solver->newton.comm = context->comm;
     solver->options = *(const struct hard_options *)context->options;
     solver->threads = context->threads;
     terms_make(&solver->terms, context, &solver->options);
@@ -81,6 +81,7 @@ static void destroy(void *self) {
     hard_problem_free(&hard->solver.problem);
     hard_border_free(&hard->solver.border);
     hard_clumps_free(&hard->solver.clumps);
+    hard_newton_free(&hard->solver.newton);
     memory_free(hard->solver.terms.pair);
     memory_free(hard);
 }
@@ -123,6 +124,7 @@ static struct history_rows *rows(const struct physics_context *context) {
 
 static void rebuilt(const struct physics_context *context) {
     struct hard_solver *solver = &((struct hard *)context->self)->solver;
+    hard_newton_renew(&solver->newton);
     solver->border.ghosts = context->ghosts;
     solver->border.particles = context->particles;
     solver->border.field = fields_find(context->particles, "contact_velocity");
@@ -165,6 +167,9 @@ static double kappa_now(struct hard *hard, double dt) {
 static void count(struct hard *hard) {
     hard->solves++;
     hard->sweeps += (uint64_t)hard->last.sweeps;
+    hard->refined += hard->last.steps > 0;
+    hard->steps += (uint64_t)hard->last.steps;
+    hard->iterations += (uint64_t)hard->last.iterations;
     hard->unmet +=
         hard->solver.options.tolerance > 0.0 && hard->last.residual > hard->solver.options.tolerance;
     hard->worst = fmax(hard->worst, hard->last.residual);
@@ -240,11 +245,12 @@ static void guard(const struct physics_context *context, struct error *error) {
     char text[320];
     if (!is_doubtful(hard) || guard == SCENE_GUARD_OFF || error->kind != ERROR_NONE)
         return;
-    snprintf(text, sizeof text,
-             "guards.residual: the residual of the contacts is %.3g after %d sweeps at step %llu, t = %.9g; "
-             "contact.solver.tolerance is %g: more sweeps, or a shorter step, reach it",
-             hard->last.residual, hard->last.sweeps, (unsigned long long)context->clock->step,
-             context->clock->time, hard->solver.options.tolerance);
+    snprintf(
+        text, sizeof text,
+        "guards.residual: the residual of the contacts is %.3g after %d sweeps%s at step %llu, t = %.9g; "
+        "contact.solver.tolerance is %g: more sweeps, or a shorter step, reach it",
+        hard->last.residual, hard->last.sweeps, hard->last.steps ? " and Newton's steps" : "",
+        (unsigned long long)context->clock->step, context->clock->time, hard->solver.options.tolerance);
     if (guard == SCENE_GUARD_STOP)
         error_set(error, ERROR_PHYSICS, "%s", text);
     else if (!hard->warned && context->comm->rank == 0)
@@ -271,13 +277,22 @@ static void resume(const struct physics_context *context, struct checkpoint_load
 
 static void report(const struct physics_context *context, struct report_part *part) {
     const struct hard *hard = context->self;
-    part->solver[part->solvers++] = (struct report_solver){.name = "contacts",
-                                                           .rows = hard->last.rows,
-                                                           .solves = hard->solves,
-                                                           .iterations = hard->sweeps,
-                                                           .doubtful = hard->unmet,
-                                                           .residual = hard->last.residual,
-                                                           .residual_worst = hard->worst};
+    struct report_solver row = {.name = "contacts",
+                                .rows = hard->last.rows,
+                                .solves = hard->solves,
+                                .iterations = hard->sweeps,
+                                .doubtful = hard->unmet,
+                                .residual = hard->last.residual,
+                                .residual_worst = hard->worst};
+    part->solver[part->solvers++] = row;
+    if (hard->solver.options.method != HARD_NEWTON)
+        return;
+    row.name = "newton";
+    row.solves = hard->refined;
+    row.iterations = hard->steps;
+    part->solver[part->solvers++] = row;
+    part->solver[part->solvers++] =
+        (struct report_solver){.name = "newton_step", .solves = hard->steps, .iterations = hard->iterations};
 }
 
 /* What the springs of rigid contacts cost: the speed of news, and the overlap of the heaviest grain on one of the lightest. */
@@ -330,6 +345,8 @@ static void print(const struct physics_context *context, FILE *file) {
     fprintf(file, "\nsolver of contacts\n");
     fprintf(file, "  sweeps       up to %d a step, until the residual is %g\n", solver->options.sweeps,
             solver->options.tolerance);
+    if (solver->options.method == HARD_NEWTON)
+        fprintf(file, "  newton       up to %d steps then\n", solver->options.steps);
     if (has_price(hard)) {
         struct price price = price_of(context);
         fprintf(file, "  news         travels about %.3g grains a step: %.4g in the smallest grains\n",
@@ -340,7 +357,9 @@ static void print(const struct physics_context *context, FILE *file) {
                 price.overlap);
     }
     fprintf(file, "  memory       %zu bytes a contact\n",
-            sizeof(struct hard_row) + sizeof(struct hard_memory));
+            sizeof(struct hard_row) + sizeof(struct hard_memory) +
+                (solver->options.method == HARD_NEWTON ? sizeof(struct hard_newton_row) + sizeof(hard_block)
+                                                       : 0));
 }
 
 static const struct physics_pass pass = {.name = "solve",

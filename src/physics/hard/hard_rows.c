@@ -9,6 +9,7 @@
 /* clang-format off */
 static const struct schema_name method_names[] = {
     {"gauss_seidel", HARD_GAUSS_SEIDEL, "sweeps over contacts that begin with the forces of the step before"},
+    {"newton", HARD_NEWTON, "Newton's method from those sweeps, for steps whose residual they do not bring below the tolerance"},
     {0}};
 static const struct schema_row section[] = {
     {.key = "name", .type = SCHEMA_NAME, .names = method_names, .fallback = "gauss_seidel",
@@ -16,6 +17,9 @@ static const struct schema_row section[] = {
     {.key = "sweeps", .type = SCHEMA_INT, .range = "[1, 1000000]", .fallback = "30",
      .offset = offsetof(struct hard_options, sweeps), .size = sizeof(int),
      .help = "largest number of sweeps a step: 10 in flows, 30 at rest"},
+    {.key = "steps", .type = SCHEMA_INT, .range = "[1, 1000]", .fallback = "40", .when = "name=newton",
+     .offset = offsetof(struct hard_options, steps), .size = sizeof(int),
+     .help = "largest number of Newton's steps a step"},
     {.key = "tolerance", .type = SCHEMA_REAL, .range = "[0, 1)", .fallback = "1e-4",
      .offset = offsetof(struct hard_options, tolerance), .size = sizeof(double),
      .help = "residual at which a step is done, looked at every five sweeps; 0: all sweeps. The report counts the steps that do not reach it"},
@@ -24,7 +28,7 @@ static const struct schema_row section[] = {
      .help = "stiffness of a contact x step^2 / mass: 4 pi^2 is a spring whose period is one step; .inf: rigid rows, for tests. More needs as many more sweeps"},
     {.key = "repair", .type = SCHEMA_REAL, .range = "(0, inf]", .fallback = "0.002", .when = "/contact.law:stiff",
      .offset = offsetof(struct hard_options, repair), .size = sizeof(double),
-     .help = "largest part of the smaller radius by which a step releases an overlap"}};
+     .help = "largest part of the smaller radius by which a step releases an overlap, with a hundredth of what is above"}};
 const struct schema_table hard_schema = {section, sizeof section / sizeof section[0]};
 
 static const struct field velocity = {
@@ -50,6 +54,11 @@ static void sweeps(const struct observable_context *context, struct observable_i
     part[0] = known(context->view) ? hard_of(context->view)->last.sweeps : 0.0;
 }
 
+static void newton(const struct observable_context *context, struct observable_item *item, double *part) {
+    (void)item;
+    part[0] = known(context->view) ? hard_of(context->view)->last.steps : 0.0;
+}
+
 static void residual(const struct observable_context *context, struct observable_item *item, double *part) {
     (void)item;
     part[0] = known(context->view) ? hard_of(context->view)->last.residual : 0.0;
@@ -60,6 +69,8 @@ static void residual(const struct observable_context *context, struct observable
     .combine = OBSERVABLE_MAX
 static const struct observable_kind kinds[] = {
     {INFO("contact_sweeps", "sweeps of the solver of contacts in the last step"), .of_rank = sweeps},
+    {INFO("contact_newton", "steps of Newton's method of the solver of contacts in the last step"),
+     .of_rank = newton},
     {INFO("contact_residual", "residual of the solver of contacts after the last step"),
      .of_rank = residual}};
 const struct observable_table hard_observables = {kinds, sizeof kinds / sizeof kinds[0]};

@@ -2,6 +2,7 @@
 /* The step of hard contacts. Read hard_solve.h and row.h first. */
 #include "physics/hard/hard_solve.h"
 #include "base/memory.h"
+#include <limits.h>
 #include <string.h>
 
 /* The residual is looked at every so many sweeps; restitution takes so many. */
@@ -91,28 +92,54 @@ static double residual_of(const struct hard_solver *solver) {
     return most > 0.0 ? sqrt(sum[0] / most) : 0.0;
 }
 
-/* Sweeps until the residual is met, or all are done. */
-static void iterate(struct hard_solver *solver, struct hard_result *result) {
+/* Sweeps until the residual is met, or all are done. Masses are split. */
+static void sweep(struct hard_solver *solver, struct hard_result *result) {
     const struct hard_options *options = &solver->options;
-    struct hard_problem *problem = &solver->problem;
-    hard_problem_warm(problem);
-    hard_border_join(&solver->border, problem, false);
-    hard_border_split(&solver->border, problem, true);
     result->residual = INFINITY;
     while (result->sweeps < options->sweeps && result->residual > options->tolerance) {
-        hard_problem_sweep(problem);
-        hard_border_join(&solver->border, problem, true);
+        hard_problem_sweep(&solver->problem);
+        hard_border_join(&solver->border, &solver->problem, true);
         result->sweeps++;
         if (result->sweeps % LOOK_EVERY == 0 || result->sweeps == options->sweeps)
             result->residual = residual_of(solver);
     }
+}
+
+/* Goes on by Newton's method where sweeps have not met the residual. */
+static void refine(struct hard_solver *solver, struct hard_result *result) {
+    const struct hard_newton_limits limits = {solver->options.steps, solver->options.tolerance,
+                                              result->residual};
+    const struct hard_newton_result newton = hard_newton_solve(&solver->newton, &limits);
+    result->steps = newton.steps;
+    result->iterations = newton.iterations;
+    result->residual = newton.residual;
+}
+
+static void rebound(struct hard_solver *solver) {
     for (int k = 0; k < REBOUND_SWEEPS; k++) {
-        double any = hard_problem_rebound(problem);
+        double any = hard_problem_rebound(&solver->problem);
         comm_max(solver->comm, &any, 1);
         if (any <= 0.0)
             break;
-        hard_border_join(&solver->border, problem, true);
+        hard_border_join(&solver->border, &solver->problem, true);
     }
+}
+
+static void iterate(struct hard_solver *solver, size_t owned, struct hard_result *result) {
+    struct hard_problem *problem = &solver->problem;
+    bool newton = solver->options.method == HARD_NEWTON;
+    if (newton)
+        hard_newton_begin(&solver->newton, problem, &solver->border, owned);
+    hard_problem_warm(problem);
+    hard_border_join(&solver->border, problem, false);
+    hard_border_split(&solver->border, problem, true);
+    sweep(solver, result);
+    if (newton) {
+        hard_border_split(&solver->border, problem, false);
+        refine(solver, result);
+        hard_border_split(&solver->border, problem, true);
+    }
+    rebound(solver);
     hard_border_split(&solver->border, problem, false);
 }
 
@@ -242,16 +269,17 @@ void hard_solver_step(struct hard_solver *solver, const struct hard_input *input
                                    .duration = input->duration,
                                    .near = fmin(solver->reach, hard_solver_wants(input, result->fastest)),
                                    .rest = impact_speed * most[1] * input->dt,
-                                   .sweeps = solver->options.sweeps};
+                                   .sweeps = solver->exact ? INT_MAX : solver->options.sweeps};
     hard_contacts_find(&solver->contacts, problem, &solver->pairs, &input->scene, &solver->terms, &pace);
     hard_border_count(&solver->border, problem);
     int64_t rows = (int64_t)problem->rows;
     comm_sum_int(solver->comm, &rows, 1);
     result->rows = (uint64_t)rows;
     if (rows > 0)
-        iterate(solver, result);
+        iterate(solver, input->particles->owned, result);
     forces_give(solver, input, result);
     walls_give(solver, input, result);
     account(solver, input, result);
+    solver->exact = solver->options.method == HARD_NEWTON && result->residual <= solver->options.tolerance;
     hard_contacts_remember(&solver->contacts, problem, &solver->pairs, &pace);
 }

@@ -11,6 +11,7 @@
 #include "physics/hard/border.h"
 #include "physics/hard/contacts.h"
 #include "physics/hard/hard.h"
+#include "physics/hard/newton.h"
 
 /* What a step begins with. Borrowed. */
 struct hard_input {
@@ -26,6 +27,7 @@ struct hard_input {
 /* What came of it. Overlap, contacts, energies and virial are this rank's part. */
 struct hard_result {
     int sweeps;
+    int steps, iterations; /* of Newton's method, and of its linear solver */
     double residual;
     uint64_t rows;
     double fastest; /* largest speed of grains without their contacts */
@@ -48,6 +50,8 @@ struct hard_solver {
     struct hard_problem problem;
     struct hard_border border;
     struct hard_clumps clumps;
+    struct hard_newton newton;
+    bool exact;      /* Newton's method has met the residual of the last step */
     double duration; /* of the impulses of the last step */
     double reach;    /* the pair list has all gaps up to this one */
     int threads;

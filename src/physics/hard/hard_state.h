@@ -19,6 +19,8 @@ struct hard {
     double light, heavy; /* their masses, insertions left out */
     double stiffness;    /* kappa / dt^2 of rigid contacts now, which follows the scene's; 0: no step yet */
     /* Since this program began. */
+    uint64_t refined, steps,
+        iterations; /* solves by Newton's method that took steps, its steps, those of its linear solver */
     uint64_t solves, sweeps, unmet; /* unmet: with a residual above the tolerance */
     double worst;                   /* residual */
     bool warned;                    /* of a residual */

@@ -243,7 +243,7 @@ static void vectors_make(struct hard_form *local, const struct net *net, double 
 }
 
 bool hard_form_make(struct hard_form *local, const struct hard_solver *solver,
-                     const struct particles *particles) {
+                    const struct particles *particles) {
     struct net net = {0};
     bool fits = true;
     records_gather(&net, solver, particles);

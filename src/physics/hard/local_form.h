@@ -23,7 +23,7 @@ struct hard_form {
 /* Makes the problem on rank 0, contacts in the order of their ids; other ranks get none. False if W has more than 2^31 - 1 numbers.
  * Collective, one thread a rank. */
 bool hard_form_make(struct hard_form *local, const struct hard_solver *solver,
-                     const struct particles *particles);
+                    const struct particles *particles);
 void hard_form_free(struct hard_form *local);
 
 #endif

@@ -44,38 +44,41 @@ void hard_problem_end_colour(struct hard_problem *problem) {
     problem->colour[next] = problem->cuts;
 }
 
-/* What happens to the rows of a cut. */
-typedef void visitor(struct hard_problem *problem, struct hard_row *row);
-
-static void visit_all(struct hard_problem *problem, visitor *visit) {
+void hard_problem_visit(const struct hard_problem *problem,
+                        void (*visit)(void *context, size_t row, size_t end), void *context) {
 #pragma omp parallel if (problem->rows >= ROWS_ALONE)
     for (int c = 0; c < problem->colours; c++) {
 #pragma omp for schedule(static)
         for (size_t k = problem->colour[c]; k < problem->colour[c + 1]; k++)
-            for (size_t r = problem->cut[k]; r < problem->cut[k + 1]; r++)
-                visit(problem, &problem->row[r]);
+            visit(context, problem->cut[k], problem->cut[k + 1]);
     }
 }
 
-static void warm(struct hard_problem *problem, struct hard_row *row) {
-    hard_apply(row, &problem->body[row->body[0]], &problem->body[row->body[1]], row->p, row->q);
+static void warm(void *context, size_t row, size_t end) {
+    struct hard_problem *problem = context;
+    for (struct hard_row *r = &problem->row[row]; r < &problem->row[end]; r++)
+        hard_apply(r, &problem->body[r->body[0]], &problem->body[r->body[1]], r->p, r->q);
 }
 
 void hard_problem_warm(struct hard_problem *problem) {
-    visit_all(problem, warm);
+    hard_problem_visit(problem, warm, problem);
 }
 
-static void sweep(struct hard_problem *problem, struct hard_row *row) {
-    hard_visit(row, problem->dt, &problem->body[row->body[0]], &problem->body[row->body[1]]);
+static void sweep(void *context, size_t row, size_t end) {
+    struct hard_problem *problem = context;
+    for (struct hard_row *r = &problem->row[row]; r < &problem->row[end]; r++)
+        hard_visit(r, problem->dt, &problem->body[r->body[0]], &problem->body[r->body[1]]);
 }
 
 void hard_problem_sweep(struct hard_problem *problem) {
-    visit_all(problem, sweep);
+    hard_problem_visit(problem, sweep, problem);
 }
 
-static void rebound(struct hard_problem *problem, struct hard_row *row) {
-    if (hard_rebounds(row))
-        hard_rebound(row, &problem->body[row->body[0]], &problem->body[row->body[1]]);
+static void rebound(void *context, size_t row, size_t end) {
+    struct hard_problem *problem = context;
+    for (struct hard_row *r = &problem->row[row]; r < &problem->row[end]; r++)
+        if (hard_rebounds(r))
+            hard_rebound(r, &problem->body[r->body[0]], &problem->body[r->body[1]]);
 }
 
 bool hard_problem_rebound(struct hard_problem *problem) {
@@ -83,7 +86,7 @@ bool hard_problem_rebound(struct hard_problem *problem) {
     for (size_t r = 0; r < problem->rows && !any; r++)
         any = hard_rebounds(&problem->row[r]);
     if (any)
-        visit_all(problem, rebound);
+        hard_problem_visit(problem, rebound, problem);
     return any;
 }
 

@@ -38,6 +38,10 @@ void hard_problem_end_colour(struct hard_problem *problem);
 /* Applies the impulses that the rows begin with. Opens its own team of threads, as the functions below. */
 void hard_problem_warm(struct hard_problem *problem);
 
+/* Calls `visit` for the rows of each cut, the cuts of a colour by many threads. */
+void hard_problem_visit(const struct hard_problem *problem,
+                        void (*visit)(void *context, size_t row, size_t end), void *context);
+
 /* Visits each row once. */
 void hard_problem_sweep(struct hard_problem *problem);
 

@@ -26,6 +26,9 @@
 #include <stdbool.h>
 #include <stdint.h>
 
+/* Above its speed of release the force of a row falls to 0 within this part of the spring's excess of speed. */
+#define HARD_RELEASE_PART 0.01
+
 /* A contact. Lengths, velocities and impulses in the units of the scene. */
 struct hard_row {
     uint32_t body[2];
@@ -34,9 +37,10 @@ struct hard_row {
     double gap;            /* between the surfaces at the start of the step; negative: overlap */
     double bias;           /* velocity */
     double soft_n, soft_t; /* velocity over impulse */
-    double release;        /* largest speed at which an overlap is released; INFINITY: any */
-    double friction;       /* Coulomb's coefficient */
-    double hertz;          /* impulse over overlap^(3/2); 0: a linear row */
+    double
+        release; /* speed at which an overlap is released at most, but for HARD_RELEASE_PART; INFINITY: any */
+    double friction; /* Coulomb's coefficient */
+    double hertz;    /* impulse over overlap^(3/2); 0: a linear row */
     double damper;   /* impulse over velocity, of Hertz and overlap^(1/4); of a linear row a part of soft_n */
     double shear;    /* of Hertz: impulse over distance and overlap^(1/2) of its tangential spring */
     double deep;     /* of Hertz: overlap at the last visit */
@@ -162,8 +166,11 @@ static inline void hard_wish(struct hard_row *row, double dt, const struct hard_
         *p = hard_hertz(row, dt, push, free);
         soft_t = row->deep > 0.0 && row->shear > 0.0 ? 1.0 / (row->shear * sqrt(row->deep)) : 0.0;
     } else {
-        *p = fmax(0.0, -(free + row->bias) / (push + row->soft_n));
-        *p = fmin(*p, fmax(0.0, (row->release - free) / push));
+        double spring = -(free + row->bias) / (push + row->soft_n);
+        if (free + push * spring > row->release)
+            spring = (row->release - HARD_RELEASE_PART * (row->release + row->bias) - free) /
+                     (push + HARD_RELEASE_PART * row->soft_n);
+        *p = fmax(0.0, spring);
     }
     double limit = row->friction * *p;
     if (!(limit > 0.0))

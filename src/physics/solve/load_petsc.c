@@ -43,7 +43,7 @@ const struct solve_backend *solve_load(struct error *error) {
     void *module = dlopen(path, RTLD_NOW | RTLD_LOCAL | RTLD_NODELETE);
     const struct solve_backend *backend = module ? dlsym(module, "petsc_backend") : NULL;
     if (backend == NULL)
-        error_set(error, ERROR_SYSTEM, "PETSc, which solves the equations of a fluid, cannot be loaded: %s",
+        error_set(error, ERROR_SYSTEM, "PETSc, which solves systems of equations, cannot be loaded: %s",
                   dlerror());
     return backend;
 }

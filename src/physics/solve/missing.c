@@ -7,9 +7,8 @@ bool solve_available(void) {
 }
 
 const struct solve_backend *solve_load(struct error *error) {
-    error_set(
-        error, ERROR_USER,
-        "this scree was built without PETSc, which solves the equations of a fluid: install it (Debian: "
-        "libpetsc-real-dev), then configure and build again");
+    error_set(error, ERROR_USER,
+              "this scree was built without PETSc, which solves systems of equations: install it (Debian: "
+              "libpetsc-real-dev), then configure and build again");
     return NULL;
 }

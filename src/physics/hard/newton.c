@@ -1,0 +1,297 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
+/* Steps of Newton's method. Read newton.h first. */
+#include "physics/hard/newton.h"
+#include "base/memory.h"
+#include <string.h>
+
+enum { SIX = 6, ITERATIONS_MOST = 200, SMOOTH_SWEEPS = 10, SMOOTH_MOST = 160 };
+
+/* A step must leave less than this part of the residual, or sweeps follow, each time twice as many. */
+static const double progress = 0.5;
+
+/* Tolerance of the linear systems: stiff rows enlarge what is left. */
+static const double linear = 1e-4;
+
+void hard_newton_renew(struct hard_newton *newton) {
+    solve_destroy(&newton->system);
+}
+
+void hard_newton_free(struct hard_newton *newton) {
+    hard_newton_renew(newton);
+    solve_end(&newton->solve, NULL, 0);
+    hard_blocks_free(&newton->blocks);
+    memory_free(newton->row);
+    memory_free(newton->free);
+    memory_free(newton->y);
+
+    memory_free(newton->right);
+    memory_free(newton->step);
+    memory_free(newton->way);
+    memory_free(newton->sum);
+    *newton = (struct hard_newton){0};
+}
+
+static void *grow(void *array, size_t *room, size_t count) {
+    return hard_problem_grow(array, room, count, sizeof(double[SIX]));
+}
+
+void hard_newton_begin(struct hard_newton *newton, struct hard_problem *problem, struct hard_border *border,
+                       size_t bodies) {
+    newton->problem = problem;
+    newton->border = border;
+    newton->bodies = bodies;
+    newton->free = hard_problem_grow(newton->free, &newton->free_room, bodies, sizeof *newton->free);
+    memcpy(newton->free, problem->body, bodies * sizeof *newton->free);
+}
+
+static void rooms_make(struct hard_newton *newton) {
+    size_t own = newton->bodies, all = newton->problem->bodies;
+    newton->y = grow(newton->y, &newton->own_room[0], own);
+
+    newton->right = grow(newton->right, &newton->own_room[1], own);
+    newton->step = grow(newton->step, &newton->own_room[2], own);
+    newton->way = grow(newton->way, &newton->all_room[0], all);
+    newton->sum = grow(newton->sum, &newton->all_room[1], all);
+    newton->row =
+        hard_problem_grow(newton->row, &newton->row_room, newton->problem->rows, sizeof *newton->row);
+}
+
+/* The root of lightness that belongs to number d of a body. */
+static double root_of(const struct hard_body *body, int d) {
+    return sqrt(d < 3 ? body->lightness : body->swing);
+}
+
+/* Adds an impulse at a contact to the sums of its bodies. */
+static void scatter(double (*sum)[SIX], const struct hard_row *row, const double impulse[3]) {
+    double turn[3], *a = sum[row->body[0]], *b = sum[row->body[1]];
+    hard_cross(row->normal, impulse, turn);
+    for (int d = 0; d < 3; d++) {
+        a[d] -= impulse[d];
+        b[d] += impulse[d];
+        a[3 + d] -= row->lever[0] * turn[d];
+        b[3 + d] -= row->lever[1] * turn[d];
+    }
+}
+
+/* The velocity at a contact by six numbers a body. */
+static void velocity(const double (*way)[SIX], const struct hard_row *row, double u[3]) {
+    const double *a = way[row->body[0]], *b = way[row->body[1]];
+    double turn[3], rolled[3];
+    for (int d = 0; d < 3; d++)
+        turn[d] = row->lever[0] * a[3 + d] + row->lever[1] * b[3 + d];
+    hard_cross(turn, row->normal, rolled);
+    for (int d = 0; d < 3; d++)
+        u[d] = b[d] - a[d] - rolled[d];
+}
+
+static void sum_pulls(void *context, size_t row, size_t end) {
+    const struct hard_newton *newton = context;
+    for (size_t r = row; r < end; r++) {
+        const struct hard_row *contact = &newton->problem->row[r];
+        double impulse[3];
+        for (int d = 0; d < 3; d++)
+            impulse[d] = contact->p * contact->normal[d] + contact->q[d];
+        scatter(newton->sum, contact, impulse);
+    }
+}
+
+static void sum_answers(void *context, size_t row, size_t end) {
+    const struct hard_newton *newton = context;
+    for (size_t r = row; r < end; r++) {
+        const struct hard_row *contact = &newton->problem->row[r];
+        double du[3], impulse[3];
+        velocity((const double(*)[SIX])newton->way, contact, du);
+        hard_newton_answer(contact, &newton->row[r], du, impulse);
+        scatter(newton->sum, contact, impulse);
+    }
+}
+
+/* The sum over rows of what `visit` scatters, times S, for owned bodies. */
+static void pulls(struct hard_newton *newton, void (*visit)(void *, size_t, size_t), double (*out)[SIX]) {
+    memset(newton->sum, 0, newton->problem->bodies * sizeof *newton->sum);
+    hard_problem_visit(newton->problem, visit, newton);
+    hard_border_collect(newton->border, newton->sum);
+#pragma omp parallel for schedule(static)
+    for (size_t k = 0; k < newton->bodies; k++)
+        for (int d = 0; d < SIX; d++)
+            out[k][d] = root_of(&newton->problem->body[k], d) * newton->sum[k][d];
+}
+
+/* S x as velocities of all bodies. */
+static void spread(struct hard_newton *newton, const double (*x)[SIX]) {
+    size_t own = newton->bodies;
+    memset(newton->way[own], 0, (newton->problem->bodies - own) * sizeof *newton->way);
+#pragma omp parallel for schedule(static)
+    for (size_t k = 0; k < own; k++)
+        for (int d = 0; d < SIX; d++)
+            newton->way[k][d] = root_of(&newton->problem->body[k], d) * x[k][d];
+    hard_border_spread(newton->border, newton->way);
+}
+
+static void multiply(void *context, const double *x, double *y) {
+    struct hard_newton *newton = context;
+    spread(newton, (const double(*)[SIX])x);
+    pulls(newton, sum_answers, (double(*)[SIX])y);
+    for (size_t k = 0; k < SIX * newton->bodies; k++)
+        y[k] += x[k];
+}
+
+static void precondition(void *context, const double *r, double *z) {
+    const struct hard_newton *newton = context;
+    hard_blocks_solve(&newton->blocks, (const double(*)[SIX])r, (double(*)[SIX])z);
+}
+
+/* The linear solver for the present number of bodies. */
+static void system_make(struct hard_newton *newton) {
+    struct solve_options options = solve_options_regular("contacts_");
+    const struct solve_free work = {.count = (int32_t)(SIX * newton->bodies),
+                                    .context = newton,
+                                    .multiply = multiply,
+                                    .precondition = precondition};
+    struct error error = {0};
+    options.method = "gmres";
+    options.preconditioner = "none";
+    options.iterations = options.restart = ITERATIONS_MOST;
+    if (newton->solve == NULL)
+        newton->solve = solve_begin(newton->comm, NULL, &error);
+    if (newton->solve && newton->system == NULL)
+        newton->system = solve_create_free(newton->solve, &work, &options, &error);
+    if (newton->system == NULL)
+        error_fatal("%s", error.text);
+}
+
+static void begin_all(void *context, size_t row, size_t end) {
+    const struct hard_newton *newton = context;
+    for (size_t r = row; r < end; r++) {
+        const struct hard_row *contact = &newton->problem->row[r];
+        double *begin = newton->row[r].begin;
+        begin[0] = contact->p;
+        memcpy(begin + 1, contact->q, sizeof contact->q);
+        begin[4] = contact->deep;
+    }
+}
+
+static void return_all(void *context, size_t row, size_t end) {
+    const struct hard_newton *newton = context;
+    for (size_t r = row; r < end; r++) {
+        struct hard_row *contact = &newton->problem->row[r];
+        const double *begin = newton->row[r].begin;
+        contact->p = begin[0];
+        memcpy(contact->q, begin + 1, sizeof contact->q);
+        contact->deep = begin[4];
+    }
+}
+
+/* What a visit of each row would make of it: impulse and velocity then, and the derivative there. */
+static void plan_all(void *context, size_t row, size_t end) {
+    const struct hard_newton *newton = context;
+    for (size_t r = row; r < end; r++) {
+        struct hard_row *contact = &newton->problem->row[r];
+        const struct hard_body *a = &newton->problem->body[contact->body[0]],
+                               *b = &newton->problem->body[contact->body[1]];
+        hard_newton_plan(contact, &newton->row[r], newton->problem->dt, a, b);
+    }
+}
+
+static void sum_leads(void *context, size_t row, size_t end) {
+    const struct hard_newton *newton = context;
+    for (size_t r = row; r < end; r++)
+        scatter(newton->sum, &newton->problem->row[r], newton->row[r].lead);
+}
+
+/* The impulses after the step. */
+static void go_all(void *context, size_t row, size_t end) {
+    const struct hard_newton *newton = context;
+    for (size_t r = row; r < end; r++) {
+        struct hard_row *contact = &newton->problem->row[r];
+        double du[3], back[3];
+        velocity((const double(*)[SIX])newton->way, contact, du);
+        hard_newton_answer(contact, &newton->row[r], du, back);
+        for (int d = 0; d < 3; d++)
+            contact->q[d] = newton->row[r].lead[d] - back[d];
+        contact->p = hard_dot(contact->q, contact->normal);
+        for (int d = 0; d < 3; d++)
+            contact->q[d] -= contact->p * contact->normal[d];
+    }
+}
+
+/* The velocities of all bodies by V* + S x. */
+static void bodies_set(struct hard_newton *newton, const double (*x)[SIX]) {
+    struct hard_body *body = newton->problem->body;
+    for (size_t k = 0; k < newton->bodies; k++)
+        for (int d = 0; d < 3; d++) {
+            body[k].v[d] = newton->free[k].v[d] + root_of(&body[k], d) * x[k][d];
+            body[k].w[d] = newton->free[k].w[d] + root_of(&body[k], 3 + d) * x[k][3 + d];
+        }
+    hard_border_send(newton->border, newton->problem);
+}
+
+/* The velocities that belong to the impulses of the rows, and the residual. */
+static double settle(struct hard_newton *newton) {
+    double sum[3];
+    pulls(newton, sum_pulls, newton->y);
+    bodies_set(newton, (const double(*)[SIX])newton->y);
+    hard_problem_residual(newton->problem, sum);
+    comm_sum(newton->comm, sum, 3);
+    double most = fmax(sum[1], sum[2]);
+    return most > 0.0 ? sqrt(sum[0] / most) : 0.0;
+}
+
+/* Sweeps of Gauss and Seidel. */
+static void smooth(struct hard_newton *newton, int sweeps) {
+    hard_border_split(newton->border, newton->problem, true);
+    for (int k = 0; k < sweeps; k++) {
+        hard_problem_sweep(newton->problem);
+        hard_border_join(newton->border, newton->problem, true);
+    }
+    hard_border_split(newton->border, newton->problem, false);
+}
+
+/* A step of the method; returns the iterations of its linear solver. */
+static int step(struct hard_newton *newton) {
+    hard_problem_visit(newton->problem, plan_all, newton);
+    pulls(newton, sum_leads, newton->right);
+    for (size_t k = 0; k < newton->bodies; k++)
+        for (int d = 0; d < SIX; d++)
+            newton->right[k][d] -= newton->y[k][d];
+    hard_blocks_make(&newton->blocks, newton->problem, newton->row, newton->border);
+    solve_solve(newton->system, (double *)newton->right, (double *)newton->step, false);
+    spread(newton, (const double(*)[SIX])newton->step);
+    hard_problem_visit(newton->problem, go_all, newton);
+    return solve_report(newton->system)->iterations;
+}
+
+static void begin(struct hard_newton *newton) {
+    rooms_make(newton);
+    system_make(newton);
+    solve_tolerance(newton->system, linear);
+    hard_blocks_shape(&newton->blocks, newton->problem, newton->bodies);
+    hard_problem_visit(newton->problem, begin_all, newton);
+    settle(newton);
+}
+
+struct hard_newton_result hard_newton_solve(struct hard_newton *newton,
+                                            const struct hard_newton_limits *limits) {
+    struct hard_newton_result result = {.residual = limits->begin};
+    int sweeps = SMOOTH_SWEEPS;
+    begin(newton);
+    while (result.steps < limits->steps && (result.steps == 0 || result.residual > limits->tolerance)) {
+        double before = result.residual;
+        result.iterations += step(newton);
+        result.residual = settle(newton);
+        result.steps++;
+        if (result.residual > fmax(limits->tolerance, progress * before)) {
+            smooth(newton, sweeps);
+            sweeps = 2 * sweeps > SMOOTH_MOST ? SMOOTH_MOST : 2 * sweeps;
+            result.residual = settle(newton);
+        }
+    }
+    if (result.residual > fmax(limits->tolerance, limits->begin)) {
+        hard_problem_visit(newton->problem, return_all, newton);
+        settle(newton);
+        result.residual = limits->begin;
+    } else {
+        smooth(newton, 1); /* no row pulls, none has more friction than it may */
+    }
+    return result;
+}
