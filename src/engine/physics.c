@@ -186,7 +186,8 @@ void physics_rows(const struct physics_set *set, struct history_rows *rows[PHYSI
     PHYSICS_EACH (active, set, rows) {
         assert(active->number < PHYSICS_COUNT);
         rows[active->number] = active->row->rows->of(&active->context);
-        rows[active->number]->components = active->row->rows->components;
+        if (rows[active->number])
+            rows[active->number]->components = active->row->rows->components;
     }
 }
 

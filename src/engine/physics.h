@@ -168,7 +168,8 @@ struct physics_maker {
  * numbers; `rebuilt` finds them in the new order. */
 struct physics_rows {
     struct history_rows *(*of)(
-        const struct physics_context *context); /* `start` is there, owned + 1 entries */
+        const struct physics_context
+            *context); /* `start` is there, owned + 1 entries; NULL: this scene has no rows */
     int components;
     /* True if the step in progress must rebuild. The same on all ranks. */
     bool (*due)(const struct physics_context *context);
@@ -186,8 +187,11 @@ struct physics_joints {
      * if `joins` is true, at the start. */
     bool (*joined)(const struct physics_context *context, size_t i, size_t j);
     bool (*joins)(const struct physics_context *context);
+    /* True if this physics has the contacts of an owned particle with walls, which the law then leaves out; any thread, where
+     * `joins` is true. NULL: of none. */
+    bool (*alone)(const struct physics_context *context, size_t i);
     /* Its part in the stability of contacts (physics/grains/motion/stability.h): adds the springs at owned particles; the largest
-     * L_i + L_j of its pairs. */
+     * L_i + L_j of its pairs. NULL: it has none. */
     void (*stiffen)(const struct physics_context *context, struct stability *stability);
     double (*stiffest)(const struct physics_context *context, const struct stability *stability);
 };

@@ -68,6 +68,9 @@ struct walls *grains_walls(const struct physics_context *context);
 /* The contacts: a physics may ask for their work in its `create`. */
 struct force_context *grains_contact(const struct physics_context *context);
 
+/* The pair list of the contacts, new after each rebuild. */
+const struct pairlist *grains_list(const struct physics_context *context);
+
 /* The motion of groups; a physics that carries grains sets `carried`. */
 struct integrator_context *grains_motion(const struct physics_context *context);
 

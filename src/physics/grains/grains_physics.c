@@ -177,6 +177,16 @@ static bool joined(const void *set, size_t i, size_t j) {
     return false;
 }
 
+/* True if a physics has the contacts of a particle with walls. */
+static bool alone(const void *set, size_t i) {
+    PHYSICS_EACH (active, set, joints) {
+        const struct physics_joints *joints = active->row->joints;
+        if (joints->alone && joints->joins(&active->context) && joints->alone(&active->context, i))
+            return true;
+    }
+    return false;
+}
+
 static bool may_join(const struct physics_set *set) {
     bool joins = false;
     PHYSICS_EACH (active, set, joints)
@@ -194,6 +204,7 @@ static void rebuilt(const struct physics_context *context) {
             grains->contact.range =
                 fmax(grains->contact.range, classes_range_of(context->classes, &reach, a, b));
     grains->contact.joined = may_join(context->set) ? joined : NULL;
+    grains->contact.alone = may_join(context->set) ? alone : NULL;
     grains->contact.joined_context = context->set;
     if (grains->loop)
         force_loop_prepare(grains->loop, &grains->contact);

@@ -83,7 +83,9 @@ struct force_context {
     const void *solver;
     /* True if two particles of the list have no contact, whatever their distance; any thread. NULL: all have. */
     bool (*joined)(const void *context, size_t i, size_t j);
-    const void *joined_context;
+    /* True if a physics has the contacts of a particle with walls; any thread. NULL: none has. */
+    bool (*alone)(const void *context, size_t i);
+    const void *joined_context; /* of both */
 };
 
 /* A force loop's own memory (slots, batches of each thread), and the compiled kernel that the loop runs: the
