@@ -72,10 +72,8 @@ static size_t radius_sample(const struct radius_bins *bins, double total, double
 
 /* Input for the choice of classes: only functions of the radii and the box, so that a resume makes the same
  * choice. */
-static struct classes_options classes_wanted(const struct simulation *s, const struct radius_bins *bins,
-                                             enum kind kind, double total) {
-    struct classes_options options = s->scene->classes;
-    const struct box *box = &s->box;
+static struct classes_options classes_wanted(struct classes_options options, const struct box *box,
+                                             const struct radius_bins *bins, enum kind kind, double total) {
     double solid = 0, space = 1;
     for (int b = 0; b < CLASS_BINS; b++) {
         double radius = bins->most[b];
@@ -94,25 +92,25 @@ static struct classes_options classes_wanted(const struct simulation *s, const s
 }
 
 /* Exact bounds and populations of the classes that were chosen from a sample. */
-static void classes_count(struct simulation *s) {
-    struct size_classes *classes = &s->classes;
-    const uint8_t *kind = kinds_of(s->particles);
+static void classes_count(struct size_classes *classes, const struct particles *particles,
+                          const struct comm *comm) {
+    const uint8_t *kind = kinds_of(particles);
     double least[CLASS_MAX], most[CLASS_MAX];
     int64_t population[CLASS_MAX] = {0};
     for (int c = 0; c < classes->count; c++) {
         least[c] = INFINITY;
         most[c] = 0;
     }
-    for (size_t k = 0; k < s->particles->owned; k++) {
-        double radius = s->particles->state[k].radius;
+    for (size_t k = 0; k < particles->owned; k++) {
+        double radius = particles->state[k].radius;
         int c = kind ? kinds_class(classes, (enum kind)kind[k], radius) : classes_of(classes, radius);
         least[c] = fmin(least[c], radius);
         most[c] = fmax(most[c], radius);
         population[c]++;
     }
-    comm_min(s->comm, least, classes->count);
-    comm_max(s->comm, most, classes->count);
-    comm_sum_int(s->comm, population, classes->count);
+    comm_min(comm, least, classes->count);
+    comm_max(comm, most, classes->count);
+    comm_sum_int(comm, population, classes->count);
     for (int c = 0; c < classes->count; c++) {
         classes->population[c] = (uint64_t)population[c];
         if (population[c] == 0)
@@ -120,9 +118,6 @@ static void classes_count(struct simulation *s) {
         classes->radius_min[c] = least[c];
         classes->radius_max[c] = most[c];
     }
-    struct classes_range range = interactions_range(&s->search.interactions);
-    struct classes_options options = skin_auto_options(s->scene, &s->search.choice);
-    classes_set_margins(classes, &options, &range);
 }
 
 /* Chooses the classes of one kind; without particles of the kind `classes` has none. */
@@ -135,7 +130,7 @@ static bool choose(struct simulation *s, enum kind kind, struct size_classes *cl
     double *sample =
         memory_allocate((size_t)CLASS_BINS * (CLASS_SAMPLE + 4), sizeof *sample, "radius sample");
     size_t n = radius_sample(bins, total, sample);
-    struct classes_options options = classes_wanted(s, bins, kind, total);
+    struct classes_options options = classes_wanted(s->scene->classes, &s->box, bins, kind, total);
     struct classes_range range = interactions_range(&s->search.interactions);
     bool good = classes_choose(classes, &options, &range, sample, n, error);
     if (n == 0 && kinds_of(s->particles))
@@ -164,8 +159,12 @@ static bool choose_kinds(struct simulation *s, struct error *error) {
 
 bool classify_choose(struct simulation *s, struct error *error) {
     bool good = kinds_of(s->particles) ? choose_kinds(s, error) : choose(s, KIND_GRAIN, &s->classes, error);
-    if (good)
-        classes_count(s);
+    if (good) {
+        struct classes_range range = interactions_range(&s->search.interactions);
+        struct classes_options options = skin_auto_options(s->scene, &s->search.choice);
+        classes_count(&s->classes, s->particles, s->comm);
+        classes_set_margins(&s->classes, &options, &range);
+    }
     s->classes_stale = false;
     return good;
 }

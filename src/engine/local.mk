@@ -11,8 +11,8 @@ libengine_la_SOURCES = \
 	%D%/outputs.h %D%/outputs_parts.h %D%/physics.h %D%/plan.h %D%/rebuild.h %D%/rebuild_rows.h \
 	%D%/report_part.h %D%/resume.h %D%/resume_check.h %D%/run.h %D%/run_record.h %D%/run_report.h \
 	%D%/run_report_lists.h %D%/run_report_source.h %D%/run_stages.h %D%/simulation.h %D%/simulation_parts.h \
-	%D%/skin_auto.h %D%/sources.h %D%/stages.h %D%/state.h %D%/stay.h %D%/step.h %D%/timing.h %D%/trip.h \
-	%D%/tune.h %D%/values.h src/fields_table.h src/physics_table.h
+	%D%/skin_auto.h %D%/sources.h %D%/stages.h %D%/state.h %D%/step.h %D%/timing.h %D%/trip.h %D%/tune.h \
+	%D%/values.h src/fields_table.h src/physics_table.h
 
 # What writes the tables of docs/output.md, after a change of fields, observables, stages or the report
 EXTRA_PROGRAMS += %D%/document_output

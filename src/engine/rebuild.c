@@ -11,7 +11,6 @@
 #include "engine/sources.h"
 #include "engine/rebuild_rows.h"
 #include "engine/stages.h"
-#include "engine/stay.h"
 #include "engine/guards.h"
 #include "engine/load_balance.h"
 #include "base/memory.h"

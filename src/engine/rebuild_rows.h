@@ -37,6 +37,10 @@ enum { REBUILD_SETS = 2 + PHYSICS_COUNT };
 /* Lists the sets that there are; returns their number. */
 int rebuild_rows_list(struct rebuild_rows *rows, struct history_rows *list[REBUILD_SETS]);
 
+/* The pass of the rebuild that decides whether particles stay as they lie, on their ranks and in the order of the last
+ * build of the index (stay.c): rows->stays. Collective. */
+void stay_decide(struct simulation *simulation, struct rebuild_rows *rows);
+
 /* Passes of the rebuild, on several ranks: every particle gets a place among those that stay; histories of two that
  * stay remain where they are, the others become loose rows; particles go to their owners, with their rows. The
  * last one is collective. */

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* The decision of a rebuild whether the particles stay as they lie. Read index/levels/levels_stay.c first. */
-#include "engine/stay.h"
+#include "engine/rebuild_rows.h"
 #include "engine/sources.h"
 #include "engine/tune.h"
 #include "engine/index_view.h"

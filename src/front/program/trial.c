@@ -75,22 +75,20 @@ static int steps_run(struct simulation *s, struct progress *progress, struct tri
 }
 
 /* Times brute force on some rows of the present particles; the slowest rank counts. Collective. */
-static double brute_time(struct simulation *s) {
+static double brute_time(const struct index_view *view, const struct comm *comm) {
     const struct index_params params = {0};
     struct index_sink sink = {0};
-    struct index_view view;
     struct error error = {0};
     struct index *brute = index_create("brute", &params, &error);
-    simulation_index_view(s, &view);
-    index_build(brute, &view);
-    size_t rows = view.total ? 1 + BRUTE_PAIRS / view.total : 0, pairs;
-    rows = rows < view.owned ? rows : view.owned;
-    pairs = rows * view.total - rows * (rows + 1) / 2;
+    index_build(brute, view);
+    size_t rows = view->total ? 1 + BRUTE_PAIRS / view->total : 0, pairs;
+    rows = rows < view->owned ? rows : view->owned;
+    pairs = rows * view->total - rows * (rows + 1) / 2;
     double began = timer_now(), seconds;
-    index_visit(brute, &view, 0, rows, &sink);
+    index_visit(brute, view, 0, rows, &sink);
     seconds = pairs ? (timer_now() - began) / (double)pairs : 0;
     index_destroy(&brute);
-    comm_max(s->comm, &seconds, 1);
+    comm_max(comm, &seconds, 1);
     return seconds;
 }
 
@@ -117,8 +115,11 @@ bool trial_run(const struct comm *comm, const struct scene *scene, struct trial 
     progress_finish(&progress);
     trial->timers = s->timers;
     *error = s->error;
-    if (comm_agree(comm, error))
-        trial->brute_pair = brute_time(s);
+    if (comm_agree(comm, error)) {
+        struct index_view view;
+        simulation_index_view(s, &view);
+        trial->brute_pair = brute_time(&view, comm);
+    }
     if (error->kind == ERROR_NONE && number)
         error_set(error, (enum error_kind)(ERROR_SIGNAL + number), "ended by signal %d", number);
     simulation_destroy(&s);
