@@ -20,9 +20,9 @@ static bool check_law(const struct physics_context *context, struct error *error
         return scene_fail(scene, error, "bodies.shapes",
                           "a law to the letter of LAMMPS is for spheres: not with rocks");
     if (scene->law.solved)
-        return scene_fail(
-            scene, error, "bodies.shapes",
-            "contact.solver knows spheres and bodies of spheres: rocks touch by an explicit law (not built yet)");
+        return scene_fail(scene, error, "bodies.shapes",
+                          "contact.solver knows spheres and bodies of spheres: rocks touch by an explicit "
+                          "law (not built yet)");
     return true;
 }
 

@@ -101,7 +101,7 @@ static inline void hard_newton_answer(const struct hard_row *row, const struct h
  * the impulse and the velocity that a visit would give are on it. */
 static inline void hard_newton_plan(struct hard_row *row, struct hard_newton_row *newton, double dt,
                                     const struct hard_body *a, const struct hard_body *b) {
-    double u[3], p, q[3], change[3], back[3], push = hard_push(a, b), slide = hard_slide(row, a, b);
+    double u[3], p, q[3], change[3], back[3], push = hard_push(row, a, b), slide = hard_slide(row, a, b);
     hard_velocity(row, a, b, u);
     hard_wish(row, dt, a, b, &p, q);
     struct hard_row next = *row;
