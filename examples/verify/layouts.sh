@@ -17,7 +17,7 @@ if [ "${1:-}" = --all ]; then
 fi
 cases=$*
 hard=no
-slow=" beverloo beverloo-3d drum-angle janssen settling "
+slow=" beverloo beverloo-3d drum-angle hard-beverloo hard-janssen hard-mu-of-i janssen settling "
 if [ -z "$cases" ]; then
     hard=yes
     cases=$(cd "$here" && for check in */check; do name=$(dirname "$check") && [ "${slow#* "$name" }" != "$slow" ] || echo "$name"; done)

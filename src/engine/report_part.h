@@ -20,8 +20,17 @@ struct report_solver {
     double seconds_matrix, seconds_set_up, seconds_solve, seconds_products;
 };
 
+/* What hard contacts have seen since this program began, this rank's part. */
+struct report_contacts {
+    double overlap;  /* largest, over the smaller radius */
+    double approach; /* largest speed at which touching grains still approach after a solve, over g dt */
+    double news;     /* speed of news by kappa; 0: by the law's own stiffness */
+    double fastest;  /* largest speed of a grain */
+};
+
 struct report_part {
-    const char *law, *simd; /* of contacts; the instruction set of their loop. NULL: none */
+    const char *law, *simd;                 /* of contacts; the instruction set of their loop. NULL: none */
+    const struct report_contacts *contacts; /* NULL: none */
     int solvers;
     struct report_solver solver[REPORT_SOLVERS_MAX];
 };

@@ -305,6 +305,8 @@ const struct report_row run_report_rows[] = {
      .help = "the same of the time before the first step, stage by stage"},
     {.name = "solvers", .unit = "", .shape = REPORT_LIST, .entries = run_report_solvers, .optional = true, .rows = run_report_solver_rows,
      .help = "linear solvers of a fluid, and the solver of contacts; absent without these"},
+    {.name = "solved_contacts", .unit = "", .shape = REPORT_LIST, .entries = run_report_contacts, .optional = true, .rows = run_report_contacts_rows,
+     .help = "what contact.solver has seen since this program began, one entry; absent without it"},
     {0}};
 
 /* clang-format on */
@@ -340,6 +342,10 @@ const struct report_line run_report_lines[] = {
     {.text = "  {name:-10} {solves:8} {iterations:10} {set_ups:8} {kept:6} {doubtful:8} {residual_worst:9}\n",
      .list = "solvers",
      .heading = "\n  solver       solves iterations  set-ups   kept doubtful  residual\n"},
+    {.text = "  contacts     overlap up to {overlap_max} of the smaller radius, approach up to "
+             "{approach_max} g dt; news at {news}, grains up "
+             "to {fastest}\n",
+     .list = "solved_contacts"},
     {.text = "\n  scree {version} ({git_revision}), {compiler}\n  {flags}\n  {host}, {cpu}\n"},
     {.text = "  insertion {name}: {placed} of the {asked} particles due are placed{note}\n",
      .list = "insertions",

@@ -198,6 +198,26 @@ int run_report_solvers(const struct report_source *of) {
     return of->part.solvers;
 }
 
+int run_report_contacts(const struct report_source *of) {
+    return of->part.contacts != NULL;
+}
+
+REAL(hard_overlap, most(of, of->part.contacts->overlap))
+REAL(hard_approach, most(of, of->part.contacts->approach))
+REAL(hard_news, of->part.contacts->news)
+REAL(hard_fastest, most(of, of->part.contacts->fastest))
+
+const struct report_row run_report_contacts_rows[] = {
+    {.name = "overlap_max", .unit = "1", .real = hard_overlap, .print = "%.2g",
+     .help = "largest overlap of a step, over the smaller radius"},
+    {.name = "approach_max", .unit = "1", .real = hard_approach, .print = "%.2g",
+     .help = "largest speed at which two grains that touch still approach after a solve, over g times the step; 0 without gravity"},
+    {.name = "news", .unit = "m/s", .real = hard_news, .print = "%.3g",
+     .help = "how far news travels in a second: sqrt(kappa) smallest grains a step; 0 for an implicit law"},
+    {.name = "fastest", .unit = "m/s", .real = hard_fastest, .print = "%.3g",
+     .help = "largest speed of a grain without the contacts of its step"},
+    {0}};
+
 TEXT(solver_name, of->part.solver[k].name)
 COUNT(solver_rows, of->part.solver[k].rows)
 COUNT(solver_entries, of->part.solver[k].entries)

@@ -7,7 +7,7 @@
 
 extern const struct report_row run_report_choice_rows[], run_report_level_rows[], run_report_class_rows[],
     run_report_insertion_rows[], run_report_scene_stage_rows[], run_report_stage_rows[],
-    run_report_setup_rows[], run_report_solver_rows[];
+    run_report_setup_rows[], run_report_solver_rows[], run_report_contacts_rows[];
 
 int run_report_choices(const struct report_source *source);
 int run_report_levels(const struct report_source *source);
@@ -16,5 +16,6 @@ int run_report_insertions(const struct report_source *source);
 int run_report_scene_stages(const struct report_source *source);
 int run_report_stages(const struct report_source *source);
 int run_report_solvers(const struct report_source *source);
+int run_report_contacts(const struct report_source *source);
 
 #endif

@@ -263,4 +263,12 @@ for change in contact.solver.kappa=400 contact.solver.kappa=8 contact.solver.kap
     check 'keeps the weight on the floor in each step' calm "changed-$change"
 done
 
+# the report has what the contacts have seen; a medium softer than its flow says so, before and after
+check 'the report has the largest overlap' awk '/"overlap_max"/ { found = 1 } END { exit !found }' settled/report.json
+soft_told() {
+    on 1 "$scree" run bed.yaml -o soft --set contact.solver.kappa=1e-3 --set step.count=400 --set guards.overlap=off >said 2>&1 && grep -q 'kappa: news travels at' said &&
+        grep -q 'kappa: grains were as fast as' said && grep -q 'contacts     overlap up to' said
+}
+check 'a medium softer than its flow is told, with the kappa that it wants' soft_told
+
 finish

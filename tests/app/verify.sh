@@ -5,7 +5,7 @@ set -u
 . "$top_srcdir/tests/app/common.sh"
 case $scree in /*) ;; *) scree=$PWD/$scree ;; esac
 
-slow=" beverloo beverloo-3d drum-angle fluid-cylinder janssen settling "
+slow=" beverloo beverloo-3d drum-angle fluid-cylinder hard-beverloo hard-janssen hard-mu-of-i janssen settling "
 # fluids want PETSc
 [ -e "$top_builddir/libsolve_petsc.la" ] || { slow="$slow$(cd "$top_srcdir/examples/verify" && echo fluid-*) "; echo 'skipped: the cases of fluids: PETSc is not there'; }
 cases=

@@ -164,7 +164,27 @@ static double kappa_now(struct hard *hard, double dt) {
     return hard->stiffness == goal ? kappa : hard->stiffness * (dt * dt);
 }
 
-static void count(struct hard *hard) {
+/* What the springs of rigid contacts cost: the speed of news, and the overlap of the heaviest grain on one of the lightest. */
+struct price {
+    double news, overlap;
+};
+
+static bool has_price(const struct hard *hard) {
+    return hard->solver.terms.kappa > 0.0 && isfinite(hard->solver.terms.kappa);
+}
+
+static struct price price_of(const struct physics_context *context) {
+    const struct hard *hard = context->self;
+    double kappa = hard->solver.terms.kappa, dt = context->clock->dt;
+    double g = sqrt(hard_dot(context->scene->gravity, context->scene->gravity));
+    return (struct price){.news = sqrt(kappa) * 2.0 * hard->smallest / dt,
+                          .overlap =
+                              (1.0 + hard->heavy / hard->light) * g * dt * dt / (kappa * hard->smallest)};
+}
+
+/* `fall`: gravity times the step. */
+static void count(const struct physics_context *context, double fall) {
+    struct hard *hard = context->self;
     hard->solves++;
     hard->sweeps += (uint64_t)hard->last.sweeps;
     hard->refined += hard->last.steps > 0;
@@ -173,6 +193,11 @@ static void count(struct hard *hard) {
     hard->unmet +=
         hard->solver.options.tolerance > 0.0 && hard->last.residual > hard->solver.options.tolerance;
     hard->worst = fmax(hard->worst, hard->last.residual);
+    hard->most.overlap = fmax(hard->most.overlap, hard->last.overlap);
+    hard->most.fastest = fmax(hard->most.fastest, hard->last.fastest);
+    hard->most.news = has_price(hard) ? price_of(context).news : 0.0;
+    if (fall > 0.0)
+        hard->most.approach = fmax(hard->most.approach, hard->last.approach / fall);
 }
 
 static void solve(const struct physics_context *context) {
@@ -184,7 +209,7 @@ static void solve(const struct physics_context *context) {
     if (hard->solver.terms.kappa > 0.0)
         hard->solver.terms.kappa = kappa_now(hard, context->clock->dt);
     hard_solver_step(&hard->solver, &input, &hard->last);
-    count(hard);
+    count(context, sqrt(hard_dot(input.gravity, input.gravity)) * input.dt);
     *sums = (struct force_sums){.taken = hard->last.lost - (hard->last.stored[0] - stored),
                                 .elastic_normal = hard->last.stored[0],
                                 .elastic_tangential = hard->last.stored[1],
@@ -277,6 +302,7 @@ static void resume(const struct physics_context *context, struct checkpoint_load
 
 static void report(const struct physics_context *context, struct report_part *part) {
     const struct hard *hard = context->self;
+    part->contacts = &hard->most;
     struct report_solver row = {.name = "contacts",
                                 .rows = hard->last.rows,
                                 .solves = hard->solves,
@@ -295,27 +321,9 @@ static void report(const struct physics_context *context, struct report_part *pa
         (struct report_solver){.name = "newton_step", .solves = hard->steps, .iterations = hard->iterations};
 }
 
-/* What the springs of rigid contacts cost: the speed of news, and the overlap of the heaviest grain on one of the lightest. */
-struct price {
-    double news, overlap;
-};
-
-static bool has_price(const struct hard *hard) {
-    return hard->solver.terms.kappa > 0.0 && isfinite(hard->solver.terms.kappa);
-}
-
-static struct price price_of(const struct physics_context *context) {
-    const struct hard *hard = context->self;
-    double kappa = hard->solver.terms.kappa, dt = context->clock->dt;
-    double g = sqrt(hard_dot(context->scene->gravity, context->scene->gravity));
-    return (struct price){.news = sqrt(kappa) * 2.0 * hard->smallest / dt,
-                          .overlap =
-                              (1.0 + hard->heavy / hard->light) * g * dt * dt / (kappa * hard->smallest)};
-}
-
 static void notes(const struct physics_context *context, struct notes *notes) {
     const struct hard *hard = context->self;
-    double kappa = hard->solver.terms.kappa;
+    double kappa = hard->solver.terms.kappa, dt = context->clock->dt;
     struct price price = price_of(context);
     if (!has_price(hard))
         return;
@@ -323,18 +331,31 @@ static void notes(const struct physics_context *context, struct notes *notes) {
         double more = news_least * notes->speed_expected / price.news;
         notes_add(
             notes, false,
-            "contact.solver.kappa: news travels at %.4g, less than %g times the expected speed; kappa: %.3g, "
-            "or a shorter step, is %g times that",
-            price.news, news_least, more * more * kappa, news_least);
+            "contact.solver.kappa: news travels at %.4g, less than %g times the expected speed; kappa: %.3g "
+            "or a step of %.3g is %g times that",
+            price.news, news_least, more * more * kappa, dt / more, news_least);
     }
     if (price.overlap > overlap_most)
         notes_add(
             notes, false,
             "contact.solver.kappa: the heaviest grain at rest on one of the lightest overlaps it by %.2g of "
             "its radius, more than %g; a bed shares the load, one grain needs kappa: %.3g with as many "
-            "sweeps, "
-            "or a shorter step",
-            price.overlap, overlap_most, kappa * price.overlap / overlap_most);
+            "sweeps, or a step of %.3g",
+            price.overlap, overlap_most, kappa * price.overlap / overlap_most,
+            dt * sqrt(overlap_most / price.overlap));
+}
+
+/* News that was slower than the flow. */
+static void seen(const struct physics_context *context, uint64_t first, struct notes *notes) {
+    const struct hard *hard = context->self;
+    double fastest = hard->most.fastest, more = news_least * fastest / price_of(context).news;
+    (void)first;
+    if (has_price(hard) && more > 1.0)
+        notes_add(notes, false,
+                  "contact.solver.kappa: grains were as fast as %.4g, and news travels at %.4g, less than %g "
+                  "times that; kappa: %.3g or a shorter step is %g times that",
+                  fastest, price_of(context).news, news_least, more * more * hard->solver.options.kappa,
+                  news_least);
 }
 
 static void print(const struct physics_context *context, FILE *file) {
@@ -380,7 +401,7 @@ static const struct physics_limit limits = {
     .why = "a grain would move by half of the smallest radius in a step, or fall by 1/450 of it"};
 static const struct physics_record record = {.resume = resume};
 static const struct physics_table table = {.open = hard_file_open, .write = hard_file_write};
-static const struct physics_shown shown = {.report = report, .notes = notes};
+static const struct physics_shown shown = {.report = report, .notes = notes, .seen = seen};
 
 const struct physics hard_physics = {.name = "hard",
                                      .passes = 1,

@@ -202,7 +202,14 @@ static void pull_of(const struct hard_row *row, double duration, double branch[3
     }
 }
 
-/* Largest overlap, contacts, energies and virial. */
+/* The speed at which the bodies of a row approach. */
+static double approach_of(const struct hard_problem *problem, const struct hard_row *row) {
+    double u[3];
+    hard_velocity(row, &problem->body[row->body[0]], &problem->body[row->body[1]], u);
+    return -hard_dot(u, row->normal);
+}
+
+/* Largest overlap and approach, contacts, energies and virial. */
 static void account(const struct hard_solver *solver, const struct hard_input *input,
                     struct hard_result *result) {
     const struct particles *p = input->particles;
@@ -222,6 +229,8 @@ static void account(const struct hard_solver *solver, const struct hard_input *i
                      : p->id[end[1]];
         }
         result->contacts += row->p > 0.0;
+        if (row->p > 0.0 && row->gap <= 0.0 && !row->impact)
+            result->approach = fmax(result->approach, approach_of(&solver->problem, row));
         double stored[2];
         hard_stored(row, input->dt, input->duration, stored);
         result->stored[0] += row->impact ? 0.0 : stored[0];

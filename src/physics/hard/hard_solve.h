@@ -35,6 +35,7 @@ struct hard_result {
         overlap; /* largest over the smaller radius, at the start of the step; `overlap_id` its particles, a wall
                         is -(number + 1) */
     int64_t overlap_id[2];
+    double approach;  /* largest speed at which two that touch still approach */
     size_t contacts;  /* with a force */
     double lost;      /* energy that contacts took of grains, without that of walls */
     double stored[2]; /* in the springs of contacts: normal, tangential */

@@ -5,6 +5,7 @@
 #define SCREE_HARD_HARD_STATE_H
 
 #include "base/file.h"
+#include "engine/report_part.h"
 #include "physics/hard/hard_solve.h"
 
 struct error;
@@ -23,9 +24,10 @@ struct hard {
         iterations; /* solves by Newton's method that took steps, its steps, those of its linear solver */
     uint64_t solves, sweeps, unmet; /* unmet: with a residual above the tolerance */
     double worst;                   /* residual */
-    bool warned;                    /* of a residual */
-    char directory[FILE_PATH_MAX];  /* of the run */
-    int64_t written;                /* step of the last file of output.contact_problems; -1: none */
+    struct report_contacts most;
+    bool warned;                   /* of a residual */
+    char directory[FILE_PATH_MAX]; /* of the run */
+    int64_t written;               /* step of the last file of output.contact_problems; -1: none */
 };
 
 /* Refuses what the solver does not know yet: the `check` of struct physics. */
