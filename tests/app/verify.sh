@@ -7,7 +7,7 @@ case $scree in /*) ;; *) scree=$PWD/$scree ;; esac
 
 slow=" beverloo beverloo-3d drum-angle fluid-cylinder hard-beverloo hard-janssen hard-mu-of-i janssen settling "
 # fluids want PETSc
-[ -e "$top_builddir/libsolve_petsc.la" ] || { slow="$slow$(cd "$top_srcdir/examples/verify" && echo fluid-*) "; echo 'skipped: the cases of fluids: PETSc is not there'; }
+[ -e "$top_builddir/libsolve_petsc.la" ] || { slow="$slow$(cd "$top_srcdir/examples/verify" && echo fluid-* water-*) "; echo 'skipped: the cases of fluids: PETSc is not there'; }
 cases=
 for folder in "$top_srcdir"/examples/verify/*/check; do
     name=$(basename "$(dirname "$folder")")

@@ -23,7 +23,8 @@ double fluid_slip(const struct fluid_options *options) {
 }
 
 bool fluid_rigid(const struct fluid_options *options) {
-    return options->grains.coupling == FLUID_RIGID;
+    bool chosen = options->grains.motion == FLUID_GRAINS_FREE && options->motion.name == FLUID_FIXED;
+    return options->grains.coupling == FLUID_RIGID || (options->grains.coupling == FLUID_AUTO && chosen);
 }
 
 bool fluid_carries(const struct fluid_options *options) {

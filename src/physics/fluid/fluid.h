@@ -83,7 +83,7 @@ struct fluid_motion {
 
 /* Grains in the fluid (grain_coupling.h). */
 enum fluid_grains_motion { FLUID_GRAINS_GIVEN, FLUID_GRAINS_FREE };
-enum fluid_coupling { FLUID_MIRROR, FLUID_RIGID };
+enum fluid_coupling { FLUID_AUTO, FLUID_MIRROR, FLUID_RIGID }; /* AUTO: fluid_rigid chooses */
 struct fluid_grains {
     enum fluid_grains_motion motion;
     enum fluid_coupling coupling;

@@ -75,13 +75,14 @@ static const struct schema_name grains_names[] = {
     {"free", FLUID_GRAINS_FREE, "the fluid moves them, too: its force and torque, and buoyancy"},
     {0}};
 static const struct schema_name coupling_names[] = {
+    {"auto", FLUID_AUTO, "rigid where the fluid moves grains (motion: free) and its particles stay, else mirror"},
     {"mirror", FLUID_MIRROR, "grains are holes in the fluid, with boundary particles behind their surfaces"},
     {"rigid", FLUID_RIGID, "the fluid fills the whole box, on particles at rest, and is made rigid inside of grains: grains may touch"},
     {0}};
 static const struct schema_row grains_rows[] = {
     {.key = "motion", .type = SCHEMA_NAME, .names = grains_names, .fallback = "given", AT(struct fluid_grains, motion),
      .help = "the motion of grains in the fluid"},
-    {.key = "coupling", .type = SCHEMA_NAME, .names = coupling_names, .fallback = "mirror", AT(struct fluid_grains, coupling),
+    {.key = "coupling", .type = SCHEMA_NAME, .names = coupling_names, .fallback = "auto", AT(struct fluid_grains, coupling),
      .help = "the way in which fluid and grains act on each other"},
     {.key = "every", .type = SCHEMA_INT, .range = "[1, 1000000]", .fallback = "1",
      AT(struct fluid_grains, every), .help = "steps of grains that the fluid moves in one of the fluid, whose force or velocity is held meanwhile", .example = "20"},

@@ -27,10 +27,10 @@ bool grain_suits(const struct physics_context *context, struct error *error) {
     if (fluid_rigid(options))
         return true; /* rigid_suits.h */
     if (grain_free(options) && options->motion.name != FLUID_LAGRANGIAN)
-        return scene_fail(
-            context->scene, error, "fluid.grains",
-            "free grains need particles that follow the fluid, motion: lagrangian; allowed with "
-            "others: given");
+        return scene_fail(context->scene, error, "fluid.grains",
+                          "free grains need coupling: rigid, or particles that follow the fluid, motion: "
+                          "lagrangian; allowed with "
+                          "others: given");
     if (options->grains.every > 1 && !grain_free(options) && !unresolved_any(options))
         return scene_fail(context->scene, error, "fluid.grains.every",
                           "the fluid moves no grains; allowed with others: 1");
@@ -73,7 +73,7 @@ static bool motion_suits(const struct physics_context *context, size_t k, struct
         return scene_fail(scene, error, "particles",
                           "grain %lld moves freely; allowed beside `fluid`: grains of groups with "
                           "motion: frozen, or free "
-                          "grains with fluid.motion: lagrangian and fluid.grains: free",
+                          "grains with fluid.grains: free",
                           (long long)p->id[k]);
     snprintf(key, sizeof key, "groups[%d].%s", number - 1,
              group->motion == SCENE_FREE ? "motion" : "velocity");
