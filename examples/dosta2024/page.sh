@@ -14,7 +14,7 @@ grep -v '^#' "$here/rows.tsv" | awk -F'\t' -v OFS='\t' -v cases="impact25 impact
     BEGIN { n = split(cases, name, " "); for (k = 1; k <= n; k++) place[name[k]] = k }
     NR == 1 { next }
     !($1 in place) || NF != 12 { print "rows.tsv: not a row: " $0 >"/dev/stderr"; exit 1 }
-    { print place[$1], $8, $0 }' >"$work/placed"
+    { print place[$1], $8 == "-" ? 1e9 : $8, $0 }' >"$work/placed"
 sort -s -t "$(printf '\t')" -k1,1n -k2,2g "$work/placed" | cut -f 3- >"$work/rows"
 
 {
@@ -30,8 +30,8 @@ sort -s -t "$(printf '\t')" -k1,1n -k2,2g "$work/placed" | cut -f 3- >"$work/row
         {
             error = codes[$1] && $10 != "-" ? sprintf("%+.1f %%", 100 * ($10 * codes[$1] / sum[$1] - 1)) : "–"
             cores = $5 == "-" ? "" : $5 == 1 ? ", 1 core" : ", " $5 " cores"
-            mark = $12 ~ /shared|load/ ? " (shared)" : ""
-            printf "| %s | %s: %s | %s%s | %s%s | %s | %s | %s | %s |\n", $1, $2 ~ /^scree/ ? "**" $2 "**" : $2, $3, $4, cores, $8, mark,
+            mark = $8 != "-" && $12 ~ /shared|load/ ? " (shared)" : ""
+            printf "| %s | %s: %s | %s%s | %s%s | %s | %s | %s | %s |\n", $1, $2 ~ /^scree/ ? "**" $2 "**" : $2, $3, $4, cores, $8 == "-" ? "–" : $8, mark,
                 $9 == "-" ? "–" : million($9), $5 == "-" || $9 == "-" ? "–" : million($9 / $5), $10 == "-" ? "–" : $10, error
         }' "$work/rows" "$work/rows"
     if command -v gnuplot >/dev/null; then
