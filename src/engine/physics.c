@@ -243,3 +243,13 @@ void physics_restart(const struct physics_set *set, struct restart *restart) {
     PHYSICS_EACH (active, set, restart)
         active->row->restart(&active->context, restart);
 }
+
+int64_t physics_contact_sides(const struct physics_set *set) {
+    const struct physics_mover *mover = set->mover->row->mover;
+    return mover->contacts ? (int64_t)mover->contacts(&set->mover->context) : 0;
+}
+
+bool physics_occupied(const struct physics_set *set, const double x[3], double radius) {
+    const struct physics_active *obstacles = set->obstacles;
+    return obstacles && obstacles->row->obstacles->taken(&obstacles->context, x, radius);
+}

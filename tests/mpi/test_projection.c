@@ -7,6 +7,7 @@
 #include "base/memory.h"
 #include "physics/fluid/operators/surface_forces.h"
 #include "physics/fluid/lattice/mirror.h"
+#include "physics/fluid/schemes/anderson.h"
 #include "physics/fluid/schemes/projection.h"
 #include "physics/fluid/schemes/steady.h"
 #include "kernel/particles/kinds.h"
@@ -328,5 +329,27 @@ static void steady_flow_is_found(void **state) {
     team_finish(team);
 }
 
-TEAM_MAIN(projection, team_case(taylor_green_is_of_second_order), team_case(steps_are_of_second_order),
-          team_case(poiseuille_starts), team_case(walls_slip), team_case(steady_flow_is_found))
+/* A linear lack with as many unknowns as tries is gone after them. */
+static void anderson_solves_what_is_linear(void **state) {
+    enum { N = 5 };
+    struct team *team = *state;
+    struct anderson anderson = {0};
+    double x[N] = {0}, f[N], size = 0;
+    anderson_begin(&anderson, &team->comm, N);
+    for (int n = 0; n <= N + 1; n++) {
+        size = 0;
+        for (int i = 0; i < N; i++) {
+            f[i] = 1 - (1.5 + i) * x[i] + 0.3 * x[(i + 1) % N];
+            size += f[i] * f[i];
+        }
+        if (n <= N)
+            anderson_next(&anderson, x, f);
+    }
+    team_expect(team, size < 1e-20, "lack %g", sqrt(size));
+    anderson_free(&anderson);
+    team_finish(team);
+}
+
+TEAM_MAIN(projection, team_case(anderson_solves_what_is_linear), team_case(taylor_green_is_of_second_order),
+          team_case(steps_are_of_second_order), team_case(poiseuille_starts), team_case(walls_slip),
+          team_case(steady_flow_is_found))

@@ -12,7 +12,7 @@
  * A step, before all other motion (bodies_motion.c):
  *
  *     1. each rank adds the forces on its members, and their torques about the centre of mass, to its copy of the
- *        body; the sums of copies go back to the owner (kernel/comm/ghosts_part.h): one message a neighbour, 6 numbers a copy
+ *        body; the sums of copies go back to the owner (kernel/comm/ghosts.h): one message a neighbour, 6 numbers a copy
  *     2. the owner moves the body: V += dt (F/M + g), L += dt torque, x += dt V, q by a free rotation with L
  *        (rotor.h): a scheme of second order that conserves L exactly without torque
  *     3. the new poses go to the copies: one message a neighbour, 13 numbers a copy

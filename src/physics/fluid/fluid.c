@@ -22,6 +22,10 @@ double fluid_slip(const struct fluid_options *options) {
     return options->walls.condition ? options->walls.slip_length : 0;
 }
 
+bool fluid_rigid(const struct fluid_options *options) {
+    return options->grains.coupling == FLUID_RIGID;
+}
+
 bool fluid_carries(const struct fluid_options *options) {
     return options->motion.name == FLUID_LAGRANGIAN;
 }

@@ -83,8 +83,10 @@ struct fluid_motion {
 
 /* Grains in the fluid (grain_coupling.h). */
 enum fluid_grains_motion { FLUID_GRAINS_GIVEN, FLUID_GRAINS_FREE };
+enum fluid_coupling { FLUID_MIRROR, FLUID_RIGID };
 struct fluid_grains {
     enum fluid_grains_motion motion;
+    enum fluid_coupling coupling;
     int every; /* steps of the grains in a step of the fluid */
     double
         unresolved; /* radius up to which grains are not resolved (unresolved_grains.h), length; NAN: all are */
@@ -167,6 +169,9 @@ double fluid_support(const struct fluid_options *options, int dimension);
 
 /* True if grains may move among the particles: boundary particles then ride on them (boundary_motion.h). */
 bool fluid_carries(const struct fluid_options *options);
+
+/* True if the fluid fills the whole box, grains included, and is made rigid in them (rigid_step.h). */
+bool fluid_rigid(const struct fluid_options *options);
 
 /* The slip length of walls and grains; 0: no slip. */
 double fluid_slip(const struct fluid_options *options);

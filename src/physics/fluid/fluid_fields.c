@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* The fields of a fluid, and its observables. Read fluid_fields.h first. */
 #include "physics/fluid/fluid_fields.h"
+#include "physics/fluid/coupling/rigid_fields.h"
 #include "physics/fluid/observe_flow.h"
 #include "physics/fluid/fluid_state.h"
 #include "data/observe/observables_kinds.h"
@@ -180,11 +181,12 @@ static bool known(const struct output_view *view) {
     return fluid_pressure(view->particles) != NULL;
 }
 
-/* The volume of a fluid particle of the lattice; 0 of other particles. */
+/* The volume of a fluid particle of the lattice, less what grains fill; 0 of other particles. */
 static double volume_of(const struct output_view *view, size_t i) {
     const uint8_t *kind = kinds_of(view->particles);
     const struct fluid *fluid = view->own[PHYSICS_fluid];
-    return fluid != NULL && kind != NULL && kind[i] == KIND_FLUID ? fluid->lattice.volume : 0;
+    bool known = fluid != NULL && kind != NULL && kind[i] == KIND_FLUID;
+    return known ? fluid->lattice.volume * rigid_fields_free(view->particles, i) : 0;
 }
 
 static double box_volume(const struct output_view *view) {

@@ -3,6 +3,8 @@
 #include "base/memory.h"
 #include "engine/physics.h"
 #include "physics/fluid/coupling/grain_coupling.h"
+#include "physics/fluid/coupling/rigid_fields.h"
+#include "physics/fluid/coupling/rigid_step.h"
 #include "physics/fluid/coupling/unresolved_grains.h"
 #include "physics/fluid/carried/electrolyte.h"
 #include "physics/fluid/fluid_fields.h"
@@ -28,6 +30,8 @@ static double range(const void *context, int kind_a, double radius_a, int kind_b
         return -INFINITY;
     if (!fluid) /* a boundary particle finds its grain */
         return 0;
+    if (grain && fluid_rigid(own->options)) /* nodes of the solid (solid_field.h) */
+        return SOLID_EDGE * own->options->spacing - (kind_a == KIND_GRAIN ? radius_b : radius_a);
     if (grain)
         return support - (kind_a == KIND_GRAIN ? radius_b : radius_a);
     return support - radius_a - radius_b;
@@ -52,8 +56,13 @@ static void *create(const struct physics_context *context) {
         fluid_fields_riding(context->particles);
     fluid->scalars = scalars_create(context);
     fluid->electrolyte = electrolyte_create(context);
-    if (grain_free(fluid->options))
+    if (fluid_rigid(fluid->options)) {
         fluid_fields_free(context->particles);
+        rigid_fields_add(context->particles);
+        fluid->rigid = memory_allocate_zero(1, sizeof *fluid->rigid, "fluid");
+    } else if (grain_free(fluid->options)) {
+        fluid_fields_free(context->particles);
+    }
     if (unresolved_any(fluid->options))
         unresolved_fields_add(context->particles);
     return fluid;
@@ -145,7 +154,7 @@ static void energy(const struct physics_context *context, struct physics_energy 
 
 /* Particles at rest have their weights from the first rebuild. */
 static bool rests(const struct physics_context *context) {
-    return !fluid_motion_moves(context->options);
+    return !fluid_motion_moves(context->options) && !fluid_rigid(context->options);
 }
 
 static const struct physics_pass passes[] = {

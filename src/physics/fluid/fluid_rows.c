@@ -74,9 +74,15 @@ static const struct schema_name grains_names[] = {
     {"given", FLUID_GRAINS_GIVEN, "stand still, or move as their group says"},
     {"free", FLUID_GRAINS_FREE, "the fluid moves them, too: its force and torque, and buoyancy"},
     {0}};
+static const struct schema_name coupling_names[] = {
+    {"mirror", FLUID_MIRROR, "grains are holes in the fluid, with boundary particles behind their surfaces"},
+    {"rigid", FLUID_RIGID, "the fluid fills the whole box, on particles at rest, and is made rigid inside of grains: grains may touch"},
+    {0}};
 static const struct schema_row grains_rows[] = {
     {.key = "motion", .type = SCHEMA_NAME, .names = grains_names, .fallback = "given", AT(struct fluid_grains, motion),
      .help = "the motion of grains in the fluid"},
+    {.key = "coupling", .type = SCHEMA_NAME, .names = coupling_names, .fallback = "mirror", AT(struct fluid_grains, coupling),
+     .help = "the way in which fluid and grains act on each other"},
     {.key = "every", .type = SCHEMA_INT, .range = "[1, 1000000]", .fallback = "1",
      AT(struct fluid_grains, every), .help = "steps of grains that the fluid moves in one of the fluid, whose force or velocity is held meanwhile", .example = "20"},
     {.key = "unresolved", .type = SCHEMA_REAL, .unit = "m", .range = "(0, inf)", AT(struct fluid_grains, unresolved),

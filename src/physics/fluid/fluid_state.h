@@ -10,6 +10,7 @@
 #include "physics/fluid/schemes/projection.h"
 #include "physics/fluid/schemes/steady.h"
 
+struct rigid;
 struct scalars;
 struct electrolyte;
 
@@ -55,9 +56,10 @@ struct fluid {
         [3]; /* by row: force/volume of grains that are not resolved (unresolved_grains.h); NULL: none yet */
     double (*jump)
         [6]; /* by particle number: by how much the fluid has changed velocity and spin of grains in this step; NULL: not */
-    bool apart;         /* it was told that forces and velocities of grains do not agree (coupled_solve.h) */
-    double work;        /* on grains that the fluid moves, since the start; energy */
-    struct error error; /* until the guard takes it */
+    struct rigid *rigid; /* of grains in which the flow is rigid (rigid_step.h); NULL: mirrors */
+    bool apart;          /* it was told that forces and velocities of grains do not agree (coupled_solve.h) */
+    double work;         /* on grains that the fluid moves, since the start; energy */
+    struct error error;  /* until the guard takes it */
 };
 
 #endif

@@ -3,7 +3,10 @@
 #include "physics/fluid/lattice/body_surfaces.h"
 #include "physics/fluid/observe_flow.h"
 #include "physics/fluid/fluid_state.h"
+#include "physics/fluid/fluid_fields.h"
 #include "kernel/particles/groups.h"
+#include "kernel/particles/kinds.h"
+#include <math.h>
 
 /* Adds a foot's share: force, viscous part, pressure part, and the torque with a lever. */
 static void add_foot(const struct surface_forces_part *foot, const double lever[3], double *part) {
@@ -39,11 +42,27 @@ static void add_row(const struct observable_context *context, const struct obser
     }
 }
 
+/* The grains of a group in which the flow is rigid: their loads have no parts. */
+static void add_rigid(const struct observable_context *context, int group, double *part) {
+    const struct particles *p = context->view->particles;
+    const uint8_t *groups = groups_of(p);
+    const double *drag = fluid_drag(p);
+    double(*load)[6] = fluid_load(p);
+    for (size_t i = 0; groups != NULL && i < p->owned; i++)
+        for (size_t d = 0; kinds_of(p)[i] == KIND_GRAIN && groups[i] == group && d < 3; d++) {
+            part[d] += drag[3 * i + d];
+            part[3 + d] = part[6 + d] = NAN;
+            part[9 + d] += isnan(load[i][3 + d]) ? 0 : load[i][3 + d];
+        }
+}
+
 void observe_drag(const struct observable_context *context, struct observable_item *item, double *part) {
     const struct fluid *fluid = context->view->own[PHYSICS_fluid];
     struct wall_pose pose = {0};
     if (fluid == NULL || fluid->forces.part == NULL)
         return;
+    if (fluid->rigid != NULL && item->wall < 0)
+        add_rigid(context, item->group, part);
     if (item->wall >= 0)
         walls_pose(context->view->walls, item->wall, &pose);
     for (size_t row = 0; row < fluid->weights.rows; row++)

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* Observables of the flow as a whole, and of its solvers. */
 #include "physics/fluid/observe_flow.h"
+#include "physics/fluid/coupling/rigid_fields.h"
 #include "physics/fluid/fluid_state.h"
 
 #include <math.h>
@@ -25,6 +26,7 @@ void observe_flow_rate(const struct observable_context *context, struct observab
     for (size_t row = 0; fluid != NULL && row < fluid->weights.rows; row++)
         for (int d = 0; d < context->view->box->dimension; d++)
             part[d] += fluid->options->density * fluid->weights.volume[row] *
+                       rigid_fields_free(context->view->particles, fluid->weights.first + row) *
                        context->view->particles->state[fluid->weights.first + row].v[d] /
                        along(context->view->box, d);
 }
@@ -50,6 +52,7 @@ void observe_permeability(const struct observable_context *context, struct obser
     for (size_t row = 0; size > 0 && row < fluid->weights.rows; row++)
         for (int d = 0; d < 3; d++)
             part[0] += fluid->options->viscosity * fluid->weights.volume[row] * force[d] / size *
+                       rigid_fields_free(context->view->particles, fluid->weights.first + row) *
                        context->view->particles->state[fluid->weights.first + row].v[d] / volume;
     part[1] = first_rank(context) ? size : 0;
 }

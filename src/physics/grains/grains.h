@@ -42,7 +42,6 @@ struct grains {
     struct force_context contact;
     struct force_exact *exact;        /* by thread: sums that no layout changes; NULL: not wanted */
     struct force_sums sums;           /* of the last evaluation, this rank's part */
-    bool known;                       /* there was one */
     bool warned;                      /* of an overlap */
     double taken;                     /* sum of force_sums.taken since the start, this rank's part */
     struct wall_push push[WALLS_MAX]; /* of walls with servos */

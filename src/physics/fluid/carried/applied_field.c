@@ -81,7 +81,7 @@ bool applied_field(const struct applied *applied, const double far[3], double *f
     bool good = pressure_make(&potential, applied->solve, applied->assembly, flow, &options, error);
     if (good) {
         side_make(applied, far, sum);
-        good = pressure_solve(&potential, flow, sum, 1, error);
+        good = pressure_solve(&potential, flow, sum, 1, false, error);
         flow_forward(flow, FLOW_INCREMENT);
     }
     for (size_t row = 0; good && row < weights->rows; row++)

@@ -15,6 +15,8 @@ bool boundary_wanted(const struct physics_context *context) {
     bool moving = false;
     for (int k = 0; k < scene->groups; k++)
         moving = moving || scene->group[k].motion == SCENE_MOVING;
+    if (fluid_rigid(context->options))
+        return false;
     return grain_free(context->options) || (moving && fluid_carries(context->options));
 }
 

@@ -18,8 +18,14 @@ bool grain_free(const struct fluid_options *options) {
     return options->grains.motion == FLUID_GRAINS_FREE;
 }
 
+bool grain_passes(const struct fluid_options *options) {
+    return fluid_carries(options) || fluid_rigid(options);
+}
+
 bool grain_suits(const struct physics_context *context, struct error *error) {
     const struct fluid_options *options = context->options;
+    if (fluid_rigid(options))
+        return true; /* rigid_suits.h */
     if (grain_free(options) && options->motion.name != FLUID_LAGRANGIAN)
         return scene_fail(
             context->scene, error, "fluid.grains",
@@ -60,7 +66,7 @@ static bool motion_suits(const struct physics_context *context, size_t k, struct
                           "group '%s' has a spin, but grains turn only with a contact law that has friction",
                           group->name);
     }
-    bool given = group->motion == SCENE_MOVING && fluid_carries(context->options);
+    bool given = group->motion == SCENE_MOVING && grain_passes(context->options);
     if (grain_free(context->options) || group_stays(group) || given || !resolved(context, k))
         return true;
     if (number == 0)
@@ -118,9 +124,10 @@ uint64_t grain_every(const struct physics_context *context) {
 }
 
 const char *grain_pockets(const struct fluid_options *options) {
-    return grain_free(options) ? "; where grains close pockets of fluid between them no step is short enough "
-                                 "(docs/fluid-limits.md)"
-                               : "";
+    return grain_free(options) && !fluid_rigid(options)
+               ? "; where grains close pockets of fluid between them no step is short enough "
+                 "(docs/fluid-limits.md)"
+               : "";
 }
 
 bool grain_due(const struct physics_context *context) {
@@ -187,11 +194,11 @@ void grain_push(const struct physics_context *context, size_t i, double push[3])
  * now, the second one when the next force is known. That of the torque is counted at once, and that of a jump of the velocity as
  * the change of the energy of the full step. */
 static double work_of(const struct physics_context *context, size_t i, const double push[3],
-                      const double last[3]) {
+                      const double last[3], const double torque[3]) {
     const struct fluid *fluid = context->self;
     const struct particles *p = context->particles;
     const struct particle_state *state = &p->state[i];
-    const double *force = p->force + i * (size_t)p->force_stride, *load = fluid_load(p)[i], none[6] = {0},
+    const double *force = p->force + i * (size_t)p->force_stride, none[6] = {0},
                  *jump = fluid->jump != NULL ? fluid->jump[i] : none;
     double(*spin)[4] = spin_of(p), half = 0.5 * context->clock->dt, mass = 1 / state->inverse_mass, sum = 0,
     inertia = 0.4 * mass * state->radius * state->radius;
@@ -200,7 +207,7 @@ static double work_of(const struct physics_context *context, size_t i, const dou
         sum += half * (push[d] + (context->clock->step > 0 ? last[d] : 0)) * before +
                jump[d] * (mass * (before + 0.5 * jump[d]) + half * all);
         if (spin != NULL)
-            sum += 2 * half * load[3 + d] * (spin[i][d] - jump[3 + d]) +
+            sum += 2 * half * torque[d] * (spin[i][d] - jump[3 + d]) +
                    inertia * jump[3 + d] * (spin[i][d] - 0.5 * jump[3 + d]);
     }
     return sum;
@@ -222,11 +229,28 @@ static void load_guess(const struct physics_context *context, size_t i, const do
         load[d] = -added * (force[d] + mass * context->scene->gravity[d] + push[d]) / (mass + added);
 }
 
-void grain_apply(const struct physics_context *context) {
+void grain_add(const struct physics_context *context, size_t i, const double push[3],
+               const double torque[3]) {
     struct fluid *fluid = context->self;
     struct particles *p = context->particles;
+    double *last = fluid_push(p)[i], *force = p->force + i * (size_t)p->force_stride;
+    fluid->work += work_of(context, i, push, last, torque);
+    for (int d = 0; d < 3; d++) {
+        last[d] = push[d];
+        force[d] += push[d];
+        if (spin_of(p) != NULL)
+            force[4 + d] += torque[d];
+    }
+}
+
+void grain_jumped(struct fluid *fluid) {
+    memory_free(fluid->jump);
+    fluid->jump = NULL;
+}
+
+void grain_apply(const struct physics_context *context) {
+    struct particles *p = context->particles;
     const double(*load)[6] = (const double(*)[6])fluid_load(p);
-    double(*last)[3] = fluid_push(p), (*spin)[4] = spin_of(p);
     for (size_t i = 0; i < p->owned; i++) {
         double push[3], *force = p->force + i * (size_t)p->force_stride;
         if (!grain_moves(context, i))
@@ -236,14 +260,7 @@ void grain_apply(const struct physics_context *context) {
             load_guess(context, i, force, push);
         for (int d = 0; d < context->box->dimension; d++)
             push[d] += load[i][d];
-        fluid->work += work_of(context, i, push, last[i]);
-        for (int d = 0; d < 3; d++) {
-            last[i][d] = push[d];
-            force[d] += push[d];
-            if (spin)
-                force[4 + d] += load[i][3 + d];
-        }
+        grain_add(context, i, push, load[i] + 3);
     }
-    memory_free(fluid->jump);
-    fluid->jump = NULL;
+    grain_jumped(context->self);
 }

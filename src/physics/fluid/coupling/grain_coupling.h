@@ -21,6 +21,9 @@ const char *grain_pockets(const struct fluid_options *options);
 /* True if the keys go together with the others; else a user's error with the key. */
 bool grain_suits(const struct physics_context *context, struct error *error);
 
+/* True if the particles of the fluid let grains of groups with a given motion pass. */
+bool grain_passes(const struct fluid_options *options);
+
 /* True if all grains stand still, move as their group says among particles that move, or are those that the fluid moves; else a user's
  * error on all ranks. Collective. */
 bool grain_grains_suit(const struct physics_context *context, struct error *error);
@@ -44,6 +47,13 @@ void grain_load(const struct physics_context *context);
 
 /* Buoyancy of grain i, and the push of what drives the fluid. */
 void grain_push(const struct physics_context *context, size_t i, double push[3]);
+
+/* Adds a push and a torque to the force of contacts on owned grain i, and counts their work and that of the jump of its velocity. */
+void grain_add(const struct physics_context *context, size_t i, const double push[3], const double torque[3]);
+
+/* The jumps of velocities have been counted. */
+struct fluid;
+void grain_jumped(struct fluid *fluid);
 
 /* Once in each step of the grains, when their contacts have been summed: load and push are added to the forces on the owned grains. */
 void grain_apply(const struct physics_context *context);

@@ -5,6 +5,7 @@
 #include "base/memory.h"
 #include "physics/fluid/lattice/body_surfaces.h"
 #include "physics/fluid/coupling/grain_coupling.h"
+#include "physics/fluid/coupling/rigid_suits.h"
 #include "physics/fluid/carried/electrolyte.h"
 #include "physics/fluid/fluid_fields.h"
 #include "physics/fluid/lattice/lattice_fill_parts.h"
@@ -184,7 +185,7 @@ static bool options_suit(const struct physics_context *context, struct error *er
             "the linear systems of a fluid are solved in sums that depend on the layout; allowed "
             "beside `fluid`: false");
     return operators_suit(context, error) && flow_drive_suits(context, error) &&
-           fluid_motion_suits(context, error) && grain_suits(context, error) &&
+           fluid_motion_suits(context, error) && grain_suits(context, error) && rigid_suits(context, error) &&
            scalars_suit(context, error) && electrolyte_suits(context, error);
 }
 

@@ -319,7 +319,7 @@ bool nodes_make(struct nodes *nodes, const struct physics_context *context, stru
     nodes->owner = memory_allocate_zero(all, sizeof *nodes->owner, "lattice of the fluid");
     nodes->depth = memory_allocate_zero(all, sizeof *nodes->depth, "lattice of the fluid");
     region_mark(nodes, options);
-    for (size_t k = 0; k < nodes->grains; k++)
+    for (size_t k = 0; k < nodes->grains && !fluid_rigid(options); k++)
         grain_mark(nodes, (int32_t)k);
     for (int w = 0; w < context->scene->walls; w++)
         if (!wall_shape_meshed(context->scene->wall[w].shape))

@@ -73,7 +73,7 @@ static bool balance(struct fluxes *fluxes, struct solve *solve, struct assembly 
     if (fluxes->pressure.system == NULL &&
         !pressure_make(&fluxes->pressure, solve, assembly, flow, &options, error))
         return false;
-    if (!pressure_solve(&fluxes->pressure, flow, fluxes->sum, 1, error))
+    if (!pressure_solve(&fluxes->pressure, flow, fluxes->sum, 1, false, error))
         return false;
     flow_forward(flow, FLOW_INCREMENT);
     carry_balance(fluxes, flow);

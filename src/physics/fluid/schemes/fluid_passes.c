@@ -5,6 +5,8 @@
 #include "base/checksum.h"
 #include "base/memory.h"
 #include "physics/fluid/coupling/grain_coupling.h"
+#include "physics/fluid/coupling/rigid_motion.h"
+#include "physics/fluid/coupling/rigid_step.h"
 #include "physics/fluid/coupling/surface_loads.h"
 #include "physics/fluid/coupling/unresolved_grains.h"
 #include "physics/fluid/carried/electrolyte.h"
@@ -141,7 +143,7 @@ void fluid_passes_rebuilt(const struct physics_context *context) {
         input_of(context, fluid);
         weights_of(context, fluid);
         fluid->regions = regions_of(context, fluid);
-    } else if (unresolved_any(fluid->options)) {
+    } else if (unresolved_any(fluid->options) || fluid->rigid != NULL) {
         pair_rows_build(&fluid->pairs, context->list[0], context->particles->owned);
     }
     fluid->layout = layout;
@@ -154,6 +156,8 @@ void fluid_passes_rebuilt(const struct physics_context *context) {
         flow_forward(&fluid->flow, FLOW_WHOLE);
     if (unresolved_any(fluid->options) && context->clock->step == 0)
         unresolved_look(context); /* the first limit of a step reads what grains see */
+    if (fluid->rigid != NULL)
+        rigid_step_pairs(context, fluid->rigid, &fluid->pairs);
     if (changed) {
         flow_number(&fluid->flow);
         scalars_rebuilt(context);
@@ -227,7 +231,9 @@ static void step_transient(const struct physics_context *context, struct fluid *
     /* the scheme of particles at rest has the force of the middle of a step, the other one that of its end */
     flow_drive_adjust(&fluid->drive, options, context->box, &fluid->flow,
                       context->clock->time - (moves ? 0 : 0.5 * dt), dt);
-    if (!moves)
+    if (fluid->rigid != NULL)
+        rigid_step(context, &fluid->error);
+    else if (!moves)
         projection_step(fluid->projection, &fluid->flow, &fluid->past, dt, fluid->drive.force, &fluid->error);
     else
         step_path(context, fluid, dt);
@@ -346,12 +352,19 @@ void fluid_passes_step(const struct physics_context *context) {
     struct fluid *fluid = context->self;
     if (fluid->error.kind != ERROR_NONE)
         return;
+    bool due = context->clock->step != fluid->done && grain_due(context);
     if (unresolved_any(fluid->options))
         unresolved_give(context, grain_dt(context));
-    if (context->clock->step != fluid->done && grain_due(context))
+    if (fluid->rigid != NULL)
+        rigid_motion_gather(context);
+    if (due)
         step_run(context, fluid);
     fluid->done = context->clock->step;
-    if (grain_free(fluid->options))
+    if (fluid->rigid != NULL && due && fluid->error.kind == ERROR_NONE)
+        rigid_motion_set(context);
+    if (fluid->rigid != NULL)
+        rigid_motion_apply(context);
+    else if (grain_free(fluid->options))
         grain_apply(context);
 }
 
@@ -362,6 +375,8 @@ void fluid_passes_look(const struct physics_context *context) {
     memcpy(fluid_condition(context->particles) + fluid->weights.first, fluid->weights.condition,
            fluid->weights.rows * sizeof *fluid->weights.condition);
     surface_loads_look(&fluid->forces, context, &fluid->flow, fluid->options->viscosity);
+    if (fluid->rigid != NULL)
+        rigid_step_look(context);
     flow_viscous(&fluid->flow, fluid->options->viscosity * fluid->lattice.volume,
                  fluid_drag(context->particles));
     flow_vorticity(&fluid->flow);
@@ -385,6 +400,9 @@ void fluid_passes_end(void *self) {
     weights_free(&fluid->weights);
     pair_rows_free(&fluid->pairs);
     surface_forces_free(&fluid->forces);
+    if (fluid->rigid != NULL)
+        rigid_step_free(fluid->rigid);
+    memory_free(fluid->rigid);
     memory_free(fluid->given);
     memory_free(fluid->jump);
     memory_free(fluid->gaps);

@@ -65,7 +65,7 @@ bool moving_step_try(const struct path *path, struct error *error) {
     projection_diverge(projection, path->flow);
     for (size_t row = 0; row < path->flow->weights->rows; row++)
         projection->source[row] = projection->divergence[row] + projection->filter[row];
-    if (!pressure_solve(&projection->pressure, path->flow, projection->source, 1 / share, error))
+    if (!pressure_solve(&projection->pressure, path->flow, projection->source, 1 / share, false, error))
         return false;
     projection_correct(projection, path->flow, viscosity, share);
     return true;

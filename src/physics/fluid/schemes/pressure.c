@@ -36,11 +36,13 @@ void pressure_free(struct pressure *pressure) {
 }
 
 bool pressure_solve(struct pressure *pressure, const struct flow *flow, const double *divergence,
-                    double factor, struct error *error) {
+                    double factor, bool guess, struct error *error) {
     const struct weights *weights = flow->weights;
     for (size_t row = 0; row < weights->rows; row++)
         pressure->side[row] = -factor * divergence[row];
-    solve_solve(pressure->system, pressure->side, pressure->solution, false);
+    for (size_t row = 0; guess && row < weights->rows; row++)
+        pressure->solution[row] = flow->increment[weights->first + row];
+    solve_solve(pressure->system, pressure->side, pressure->solution, guess);
     for (size_t row = 0; row < weights->rows; row++)
         flow->increment[weights->first + row] = pressure->solution[row];
     return residual_check(solve_report(pressure->system), "pressure", error);

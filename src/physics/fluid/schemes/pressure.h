@@ -24,6 +24,6 @@ void pressure_free(struct pressure *pressure);
  * 0 in each region, goes to flow->increment of the owned particles. False if the solver failed: `error` says
  * so. Collective. */
 bool pressure_solve(struct pressure *pressure, const struct flow *flow, const double *divergence,
-                    double factor, struct error *error);
+                    double factor, bool guess, struct error *error);
 
 #endif

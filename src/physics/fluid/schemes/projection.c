@@ -156,19 +156,34 @@ void projection_correct(struct projection *projection, const struct flow *flow, 
     flow_forward(flow, FLOW_PRESSURE);
 }
 
+bool projection_predict(struct projection *projection, const struct flow *flow,
+                        const struct projection_past *past, const struct projection_push *push,
+                        struct error *error) {
+    double theta = projection_theta(past);
+    double implicit = theta * push->dt * projection->options.viscosity / projection->options.density;
+    extrapolate_advection(projection, flow, past, push->dt);
+    fill_side(projection, flow, theta, push->dt, push->force);
+    for (size_t row = 0; row < flow->weights->rows && push->impulse != NULL; row++)
+        for (int d = 0; d < 3; d++)
+            projection->side[row][d] += push->impulse[row][d];
+    projection_keep(projection, flow);
+    return momentum_solve(&projection->momentum, &projection->assembly, flow, implicit,
+                          (const double(*)[3])projection->side, error);
+}
+
+bool projection_project(struct projection *projection, const struct flow *flow, double dt, bool guess,
+                        struct error *error) {
+    projection_diverge(projection, flow);
+    return pressure_solve(&projection->pressure, flow, projection->divergence,
+                          projection->options.density / dt, guess, error);
+}
+
 bool projection_step(struct projection *projection, const struct flow *flow, struct projection_past *past,
                      double dt, const double force[3], struct error *error) {
-    double theta = past->steps > 0 ? 0.5 : 1;
-    double implicit = theta * dt * projection->options.viscosity / projection->options.density;
-    extrapolate_advection(projection, flow, past, dt);
-    fill_side(projection, flow, theta, dt, force);
-    projection_keep(projection, flow);
-    if (!momentum_solve(&projection->momentum, &projection->assembly, flow, implicit,
-                        (const double(*)[3])projection->side, error))
-        return false;
-    projection_diverge(projection, flow);
-    if (!pressure_solve(&projection->pressure, flow, projection->divergence, projection->options.density / dt,
-                        error))
+    const struct projection_push push = {dt, force, NULL};
+    double theta = projection_theta(past);
+    if (!projection_predict(projection, flow, past, &push, error) ||
+        !projection_project(projection, flow, dt, false, error))
         return false;
     projection_correct(projection, flow, theta * projection->options.viscosity,
                        dt / projection->options.density);

@@ -20,6 +20,27 @@ struct projection {
     double divergence_size;
 };
 
+/* What pushes the fluid in a step. */
+struct projection_push {
+    double dt;
+    const double *force;        /* force/volume, everywhere */
+    const double (*impulse)[3]; /* by row: change of velocity beside it; NULL: none */
+};
+
+/* The part of the viscosity that the end of the step has. */
+static inline double projection_theta(const struct projection_past *past) {
+    return past->steps > 0 ? 0.5 : 1;
+}
+
+/* The momentum equation: u* in flow->predicted. False, with an error, if a solver failed. Collective. */
+bool projection_predict(struct projection *projection, const struct flow *flow,
+                        const struct projection_past *past, const struct projection_push *push,
+                        struct error *error);
+
+/* The Poisson equation: phi, in flow->increment, of the present flow->predicted; `guess`: its present values are a first guess. Collective. */
+bool projection_project(struct projection *projection, const struct flow *flow, double dt, bool guess,
+                        struct error *error);
+
 /* Fills projection->divergence with div u*, and its size. Collective. */
 void projection_diverge(struct projection *projection, const struct flow *flow);
 

@@ -63,8 +63,7 @@ struct force_context {
     const struct pairlist *list;
     struct history *history; /* NULL where the law has none */
     const struct law *law;
-    const struct ring *ring; /* of walk_work */
-    double range;            /* how far beyond touch contacts reach, at most */
+    double range;     /* how far beyond touch contacts reach, at most */
     double dt;        /* time step of the histories; 0 in the first evaluation of a run: the histories stay */
     bool want_sums;   /* fill the energies of the sums; contacts and overlap_max always are */
     bool want_virial; /* fill the virial; only with want_sums */

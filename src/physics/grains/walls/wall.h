@@ -216,10 +216,6 @@ size_t walls_open_edges(const struct walls *walls, int wall);
  * team. */
 void walls_build(struct walls *walls, const struct particles *particles, const struct size_classes *classes);
 
-/* The owned particles near walls, on which alone walls act until the next walls_build: their number, and in
- * `number` their numbers, increasing; borrowed. */
-size_t walls_candidates(const struct walls *walls, const uint32_t **number);
-
 /* Forces of walls on thread `thread`'s share of the owned particles near walls, like ones for all threads;
  * adds to particles.force. Each thread's once an evaluation, in any order; many threads at once. */
 void walls_force_share(struct walls *walls, const struct force_context *context, int thread);

@@ -1,0 +1,39 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
+/* What does not go with rigid grains. Read rigid_suits.h first. */
+#include "physics/fluid/coupling/rigid_suits.h"
+#include "physics/fluid/coupling/unresolved_grains.h"
+#include "physics/fluid/fluid.h"
+
+static bool refuse(const struct physics_context *context, const char *key, const char *why,
+                   const char *allowed, struct error *error) {
+    return scene_fail(context->scene, error, key,
+                      "%s does not go with fluid.grains.coupling: rigid; allowed with it: %s", why, allowed);
+}
+
+bool rigid_suits(const struct physics_context *context, struct error *error) {
+    const struct fluid_options *options = context->options;
+    if (!fluid_rigid(options))
+        return true;
+    if (options->time != FLUID_TRANSIENT)
+        return refuse(context, "fluid.time", "a steady flow", "transient", error);
+    if (options->motion.name != FLUID_FIXED)
+        return refuse(context, "fluid.motion", "a fluid of particles that move", "fixed", error);
+    if (unresolved_any(options))
+        return refuse(context, "fluid.grains.unresolved", "a fluid that leaves grains unresolved",
+                      "no such key", error);
+    if (options->scalars > 0)
+        return refuse(context, "fluid.scalars", "a fluid that carries scalars", "none", error);
+    if (options->electrolytes > 0)
+        return refuse(context, "fluid.electrolyte", "an electrolyte", "none", error);
+    if (fluid_slip(options) > 0)
+        return refuse(context, "fluid.walls.velocity", "slip", "no_slip", error);
+    if (options->fill.arrangement != FLUID_CUBIC)
+        return refuse(context, "fluid.fill.arrangement", "this lattice", "cubic", error);
+    if (options->fill.jitter > 0)
+        return refuse(context, "fluid.fill.jitter", "a displaced lattice", "0", error);
+    if (context->scene->physics_given[PHYSICS_bodies])
+        return refuse(context, "bodies", "a rigid body", "single grains", error);
+    if (context->scene->physics_given[PHYSICS_hard])
+        return refuse(context, "contact.solver", "a solver of contacts", "soft contacts", error);
+    return true;
+}
