@@ -46,5 +46,11 @@ bool rocks_check(const struct physics_context *context, struct error *error) {
         return scene_fail(scene, error, "bodies.shapes", "together with heat: not built yet");
     if (scene->physics_given[PHYSICS_drag])
         return scene_fail(scene, error, "bodies.shapes", "together with drag: not built yet");
+    if (output_interval_set(&scene->output.trajectory.contacts))
+        return scene_fail(scene, error, "output.trajectory.contacts",
+                          "the list of contacts knows none of rocks (bodies.shapes): not built yet");
+    if (output_interval_set(&scene->output.walls.every))
+        return scene_fail(scene, error, "output.walls",
+                          "the loads on walls know none of rocks (bodies.shapes): not built yet");
     return check_law(context, error) && check_walls(context, error);
 }
