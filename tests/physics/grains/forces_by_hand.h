@@ -15,7 +15,7 @@
 enum { COUNT = 200, MATERIALS = 3, LAWS = 8 * 2 * LAW_ELASTIC_COUNT };
 
 static const double edge = 4.8;
-static const char *const kernels[] = {"baseline", "x86-64-v3", "x86-64-v4"};
+static const char *const kernels[] = {"baseline", "x86-64-v3"};
 
 /* Law number k of all that the loop specialises, and some with other options. */
 static inline struct law law_number(int k, int materials) {
