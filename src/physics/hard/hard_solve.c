@@ -92,19 +92,29 @@ static double residual_of(const struct hard_solver *solver) {
 }
 
 /* Sweeps until the residual is met, or all are done. */
-static void iterate(struct hard_solver *solver, struct hard_result *result) {
+static void sweep(struct hard_solver *solver, struct hard_result *result) {
     const struct hard_options *options = &solver->options;
     struct hard_problem *problem = &solver->problem;
-    hard_problem_warm(problem);
-    hard_border_join(&solver->border, problem, false);
-    hard_border_split(&solver->border, problem, true);
+    int first = result->sweeps, done = 0;
     result->residual = INFINITY;
-    while (result->sweeps < options->sweeps && result->residual > options->tolerance) {
+    while (done < options->sweeps && result->residual > options->tolerance) {
         hard_problem_sweep(problem);
         hard_border_join(&solver->border, problem, true);
-        result->sweeps++;
-        if (result->sweeps % LOOK_EVERY == 0 || result->sweeps == options->sweeps)
+        result->sweeps = first + ++done;
+        if (done % LOOK_EVERY == 0 || done == options->sweeps)
             result->residual = residual_of(solver);
+    }
+}
+
+/* Impacts rebound. */
+static void rebound(struct hard_solver *solver, struct hard_result *result) {
+    struct hard_problem *problem = &solver->problem;
+    if (solver->terms.poisson) {
+        double any = hard_problem_expand(problem);
+        comm_max(solver->comm, &any, 1);
+        if (any > 0.0)
+            sweep(solver, result);
+        return;
     }
     for (int k = 0; k < REBOUND_SWEEPS; k++) {
         double any = hard_problem_rebound(problem);
@@ -113,6 +123,16 @@ static void iterate(struct hard_solver *solver, struct hard_result *result) {
             break;
         hard_border_join(&solver->border, problem, true);
     }
+}
+
+/* The impulses of the step. */
+static void iterate(struct hard_solver *solver, struct hard_result *result) {
+    struct hard_problem *problem = &solver->problem;
+    hard_problem_warm(problem);
+    hard_border_join(&solver->border, problem, false);
+    hard_border_split(&solver->border, problem, true);
+    sweep(solver, result);
+    rebound(solver, result);
     hard_border_split(&solver->border, problem, false);
 }
 

@@ -42,6 +42,7 @@ struct hard_row {
     double deep;     /* of Hertz: overlap at the last visit */
     double approach; /* speed of approach at the start of the step, free of this step's impulses */
     double restitution;
+    double least; /* normal impulse of an impact at least, by Poisson's restitution */
     bool
         impact; /* a new contact that approaches so fast that it rebounds; the next step begins without its impulses */
     double p, q[3];
@@ -161,7 +162,7 @@ static inline void hard_wish(struct hard_row *row, double dt, const struct hard_
         soft_t = row->deep > 0.0 && row->shear > 0.0 ? 1.0 / (row->shear * sqrt(row->deep)) : 0.0;
     } else {
         *p = fmax(0.0, -(free + row->bias) / (push + row->soft_n));
-        *p = fmin(*p, fmax(0.0, (row->release - free) / push));
+        *p = fmax(row->least, fmin(*p, fmax(0.0, (row->release - free) / push)));
     }
     double limit = row->friction * *p;
     if (!(limit > 0.0))
