@@ -62,6 +62,34 @@ weights() { # the contact list has the forces that the floor feels
 }
 check 'contacts are listed' weights
 
+# Models of contacts, of which spheres know one, and Poisson's restitution
+for model in decoupled de_saxce dissipation; do
+    check "model $model" run_scene 1 bed.yaml "$model" --set threads=1 --set contact.solver.model=$model
+    check 'the same bits' same one "$model"
+done
+for key in model=projection model=frictionless restitution=poisson; do
+    check "$key" run_scene 1 bed.yaml "$key" --set threads=1 --set contact.solver.$key
+    check 'all of the weight on the floor' within "$(last_of "$key/observables.csv" floor_fz)" "$weight" "$(awk -v w="$weight" 'BEGIN { print -0.1 * w }')"
+done
+
+# Bodies: threads give the same bits, other ranks and indexes the same rest, a resume goes on
+clumps=(--set bodies.clumps='[{size: drawn, spheres: [{centre: [0, 0, 0], radius: 0.5 mm}, {centre: [0.5 mm, 0, 0], radius: 0.5 mm}, {centre: [0, 0.5 mm, 0], radius: 0.4 mm}], mass: 1e-5 kg}]'
+    --set contact.solver.sweeps=60 --set particles.sources[1].radius='1 mm' --set output.checkpoint.every=800)
+bodies_rest() { # DIR
+    local file=$1/observables.csv
+    within "$(last_of "$file" floor_fz)" -5.98e-3 1.2e-4 && within "$(last_of "$file" overlap_max)" 0 1e-2
+}
+check 'bodies' run_scene 1 bed.yaml bodies --set threads=1 "${clumps[@]}"
+check 'they rest' bodies_rest bodies
+check 'two threads' run_scene 1 bed.yaml bodies2 --set threads=2 "${clumps[@]}"
+check 'the same bits' same bodies bodies2
+check 'index brute' run_scene 1 bed.yaml bodies1 --set threads=1 --set index=brute "${clumps[@]}"
+check 'they rest' bodies_rest bodies1
+check '3 ranks' run_scene 3 bed.yaml bodies3 --set threads=1 "${clumps[@]}"
+check 'they rest' bodies_rest bodies3
+check 'a run that goes on' run_scene 1 bed.yaml bodies4 --set threads=1 "${clumps[@]}" --resume bodies/checkpoint-800.h5
+check 'the same bits' same bodies bodies4
+
 check 'a run with a checkpoint' run_scene 1 bed.yaml whole --set threads=1 --set output.checkpoint.every=800
 check 'a run that goes on from it' run_scene 1 bed.yaml rest --set threads=1 --resume whole/checkpoint-800.h5
 check 'the same bits' same whole rest

@@ -2,11 +2,12 @@
 /* From coloured pairs and places of walls to rows, and what contacts remember. Read contacts.h first. */
 #include "physics/hard/contacts.h"
 #include "base/memory.h"
+#include <stdlib.h>
 #include <string.h>
 
 static const char what[] = "contacts of a step";
 
-/* Rows of walls in a cut, those of one particle always together. */
+/* Rows of walls in a cut, those of one body always together. */
 enum { WALL_CUT = 64 };
 
 /* The part of an overlap that a rigid row wants away in a step. */
@@ -127,6 +128,10 @@ static void row_finish(struct hard_row *row, const struct hard_problem *problem,
     double keep = pace->sweeps >= warm_sweeps * kappa_of(row, pace, push) ? 1.0 : warm_part;
     turn(memory->rub, row->normal, row->hold);
     row->impact = memory->push <= 0.0 && row->approach > pace->rest && is_brief(row, term, pace, ends->light);
+    if (row->impact && terms->poisson) { /* until they touch: a gap would take the rebound */
+        row->bias = fmin(0.0, row->bias);
+        row->soft_n = row->soft_t = 0.0;
+    }
     for (int d = 0; d < 3; d++) {
         row->hold[d] *= pace->duration;
         row->q[d] = row->impact ? 0.0 : keep * row->hold[d];
@@ -266,8 +271,19 @@ static void walls_find(struct hard_contacts *contacts, const struct hard_scene *
                 continue;
             contacts->wall = hard_problem_grow(contacts->wall, &contacts->wall_room, contacts->walls + 1,
                                                sizeof *contacts->wall);
-            contacts->wall[contacts->walls++] = (struct hard_wall_contact){.place = *place};
+            contacts->wall[contacts->walls++] = (struct hard_wall_contact){
+                .place = *place,
+                .body = hard_clumps_carrier(scene->clumps, (uint32_t)place->particle),
+                .order = hard_contacts_order(scene->particles->id[place->particle],
+                                             (int64_t)place->feature * WALLS_MAX + place->wall)};
         }
+}
+
+static int by_body(const void *a, const void *b) {
+    const struct hard_wall_contact *x = a, *y = b;
+    if (x->body != y->body)
+        return x->body < y->body ? -1 : 1;
+    return x->order < y->order ? -1 : x->order > y->order;
 }
 
 /* Gives contacts with walls the memory of the step before; both are sorted by particle. */
@@ -295,7 +311,7 @@ static void wall_fill(struct hard_contacts *contacts, struct hard_problem *probl
     problem->body[body] =
         (struct hard_body){.v = {place->velocity[0], place->velocity[1], place->velocity[2]}};
     const uint32_t sphere[2] = {(uint32_t)place->particle, UINT32_MAX};
-    *row = (struct hard_row){.body = {hard_clumps_carrier(scene->clumps, sphere[0]), body},
+    *row = (struct hard_row){.body = {contact->body, body},
                              .normal = {place->normal[0], place->normal[1], place->normal[2]},
                              .lever = {fmax(0.0, radius + place->gap), 0.0},
                              .gap = place->gap};
@@ -318,16 +334,17 @@ void hard_contacts_find(struct hard_contacts *contacts, struct hard_problem *pro
     hard_problem_begin(problem, pace->dt);
     walls_find(contacts, scene, pace->near);
     walls_recall(contacts);
-    if (scene->clumps->links)
+    if (scene->clumps->links) {
         hard_contacts_thin(contacts, pairs, scene, pace);
+        qsort(contacts->wall, contacts->walls, sizeof *contacts->wall, by_body);
+    }
     pairs_find(contacts, problem, pairs, scene, terms, pace);
     hard_problem_reserve(problem, problem->bodies + contacts->walls, problem->rows + contacts->walls,
                          problem->cuts + contacts->walls);
     for (size_t k = 0, in_cut = 1; k < contacts->walls; k++, in_cut++) {
         bool last = k + 1 == contacts->walls;
         wall_fill(contacts, problem, &contacts->wall[k], problem->rows++, scene, terms, pace);
-        if (last || (in_cut >= WALL_CUT &&
-                     contacts->wall[k + 1].place.particle != contacts->wall[k].place.particle)) {
+        if (last || (in_cut >= WALL_CUT && contacts->wall[k + 1].body != contacts->wall[k].body)) {
             problem->cut[++problem->cuts] = problem->rows;
             in_cut = 0;
         }

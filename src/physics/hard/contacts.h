@@ -27,6 +27,7 @@ struct hard_terms {
     double repair; /* largest release of an overlap in a step, over the smaller radius; rigid contacts */
     bool hertz;
     hard_relaxation *relax; /* of contacts with a body of spheres */
+    bool poisson;           /* impacts rebound by Poisson's restitution */
     bool open;              /* of all contacts: spheres have no closed form in this model */
     int materials;
     struct hard_term *pair; /* materials x materials */
@@ -47,6 +48,8 @@ struct hard_wall_memory {
 struct hard_wall_contact {
     struct wall_place place;
     struct hard_memory memory;
+    uint32_t body;  /* of the particle, or that carries it */
+    uint64_t order; /* of the contacts of a body: from ids */
 };
 
 /* The particles as the contacts see them. Borrowed. */
@@ -72,7 +75,7 @@ struct hard_contacts {
     uint32_t *pair; /* of each row of a pair: its number in struct hard_pairs */
     size_t pair_rows, pair_room;
     size_t walls, wall_room;
-    struct hard_wall_contact *wall; /* of the rows behind those of pairs, by particle */
+    struct hard_wall_contact *wall; /* of the rows behind those of pairs, by body */
     struct hard_wall_memory *past;  /* of the last step, by particle */
     size_t pasts, past_room;
     struct hard_arm *arm; /* of each row, where bodies or the model ask for them */
@@ -103,6 +106,9 @@ double hard_contacts_separate(const struct hard_pairs *pairs, const struct hard_
                               double apart[3], double *distance);
 bool hard_contacts_near(const struct hard_pairs *pairs, const struct hard_scene *scene,
                         const struct hard_pace *pace, size_t m);
+
+/* A number for two: another pair has another one, as good as always. Any thread. */
+uint64_t hard_contacts_order(int64_t a, int64_t b);
 
 /* Drops those of contacts->wall, and marks those pairs, for which other contacts of the same bodies stand. One thread. */
 void hard_contacts_thin(struct hard_contacts *contacts, const struct hard_pairs *pairs,

@@ -2,6 +2,7 @@
 /* What contacts remember: from the solved rows, and over rebuilds. Read contacts.h first. */
 #include "physics/hard/contacts.h"
 #include "base/memory.h"
+#include <stdlib.h>
 
 static const char what[] = "contacts of a step";
 
@@ -14,6 +15,15 @@ static struct hard_memory memory_of(const struct hard_row *row, const struct har
     for (int d = 0; d < 3; d++)
         memory.rub[d] = row->q[d] / pace->duration;
     return memory;
+}
+
+static int by_particle(const void *a, const void *b) {
+    const struct hard_wall_memory *x = a, *y = b;
+    if (x->particle != y->particle)
+        return x->particle < y->particle ? -1 : 1;
+    if (x->wall != y->wall)
+        return x->wall < y->wall ? -1 : 1;
+    return x->feature < y->feature ? -1 : x->feature > y->feature;
 }
 
 void hard_contacts_remember(struct hard_contacts *contacts, const struct hard_problem *problem,
@@ -30,6 +40,11 @@ void hard_contacts_remember(struct hard_contacts *contacts, const struct hard_pr
             contacts->past[contacts->pasts++] =
                 (struct hard_wall_memory){(uint32_t)place->particle, place->wall, place->feature, memory};
     }
+    for (size_t k = 1; k < contacts->pasts; k++)
+        if (contacts->past[k].particle < contacts->past[k - 1].particle) { /* bodies had another order */
+            qsort(contacts->past, contacts->pasts, sizeof *contacts->past, by_particle);
+            break;
+        }
 }
 
 void hard_contacts_rename(struct history_rows *rows, const int *now, int walls, size_t owned) {

@@ -16,8 +16,7 @@ static void point_place(struct hard_point *point, const struct hard_scene *scene
         point->place[d] += scene->particles->state[i].radius * point->normal[d];
 }
 
-/* A number for two: another pair has another one, as good as always. */
-static uint64_t order_of(int64_t a, int64_t b) {
+uint64_t hard_contacts_order(int64_t a, int64_t b) {
     return (uint64_t)a * UINT64_C(0x9e3779b97f4a7c15) + (uint64_t)b;
 }
 
@@ -35,12 +34,13 @@ static size_t points_of_pairs(struct hard_contacts *contacts, const struct hard_
         struct hard_point *point = point_next(contacts, count++);
         uint64_t a = hard_clumps_carrier(scene->clumps, end[0]),
                  b = hard_clumps_carrier(scene->clumps, end[1]);
-        bool first = a < b; /* places and normals are those of the lower one */
-        *point = (struct hard_point){.bodies = first ? a << 32 | b : b << 32 | a,
-                                     .order = order_of(id[end[first ? 0 : 1]], id[end[first ? 1 : 0]]),
-                                     .number = m,
-                                     .gap = hard_contacts_separate(pairs, scene, m, apart, &distance),
-                                     .pressed = pairs->memory[m].push > 0.0};
+        bool first = id[a] < id[b]; /* places and normals are those of the lower one */
+        *point =
+            (struct hard_point){.bodies = a < b ? a << 32 | b : b << 32 | a,
+                                .order = hard_contacts_order(id[end[first ? 0 : 1]], id[end[first ? 1 : 0]]),
+                                .number = m,
+                                .gap = hard_contacts_separate(pairs, scene, m, apart, &distance),
+                                .pressed = pairs->memory[m].push > 0.0};
         for (int d = 0; d < 3; d++)
             point->normal[d] = (first ? apart[d] : -apart[d]) / distance;
         point_place(point, scene, end[first ? 0 : 1]);
@@ -59,7 +59,7 @@ static size_t points_of_walls(struct hard_contacts *contacts, const struct hard_
         struct hard_point *point = point_next(contacts, count++);
         *point = (struct hard_point){.bodies = (uint64_t)hard_clumps_carrier(scene->clumps, i) << 32 |
                                                (uint32_t)place->wall,
-                                     .order = order_of(scene->particles->id[i], place->feature),
+                                     .order = contacts->wall[k].order,
                                      .number = k,
                                      .gap = place->gap,
                                      .pressed = contacts->wall[k].memory.push > 0.0};

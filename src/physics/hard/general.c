@@ -74,6 +74,12 @@ static void linear(struct framed *f, const struct hard_row *row) {
         local.c[0] = f->free[0] - row->release;
         row->arm->relax(&local, f->p);
     }
+    if (f->p[0] < row->least) { /* the normal impulse is given: the tangential one follows */
+        const double a[3] = {local.a[4], local.a[5], local.a[8]};
+        const double c[2] = {local.c[1] + local.a[3] * row->least, local.c[2] + local.a[6] * row->least};
+        f->p[0] = row->least;
+        hard_relax_disc(a, c, row->friction * row->least, f->p + 1);
+    }
 }
 
 /* Hertz's normal force and the tangential row, in turns. */

@@ -6,9 +6,15 @@
 
 enum hard_method { HARD_GAUSS_SEIDEL, HARD_NEWTON };
 
+/* A pass over the impacts alone after the sweeps; or Poisson's: each impact keeps 1 + e times its impulse of the sweeps, and
+ * all contacts are solved again. */
+enum hard_restitution { HARD_RESTITUTION_PASS, HARD_RESTITUTION_POISSON };
+
 /* Plain data (scene key contact.solver). */
 struct hard_options {
     int method;       /* enum hard_method */
+    int model;        /* enum hard_model_number (models.h) */
+    int restitution;  /* enum hard_restitution */
     int sweeps;       /* at most so many a step */
     int steps;        /* Newton: at most so many a step */
     double tolerance; /* on the residual; 0: always all sweeps */

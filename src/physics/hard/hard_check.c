@@ -88,6 +88,12 @@ static bool check_newton(const struct scene *scene, const struct hard_options *o
     if (scene->physics_given[PHYSICS_bodies])
         return scene_fail(scene, error, "contact.solver.name",
                           "newton knows spheres alone; allowed with bodies: gauss_seidel");
+    if (options->model != HARD_MODEL_COULOMB)
+        return scene_fail(scene, error, "contact.solver.model",
+                          "newton has Coulomb's law alone; allowed with it: coulomb");
+    if (options->restitution == HARD_RESTITUTION_POISSON)
+        return scene_fail(scene, error, "contact.solver.restitution",
+                          "newton solves a step once; allowed with it: pass");
     return true;
 }
 

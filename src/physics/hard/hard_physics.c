@@ -32,7 +32,10 @@ static void terms_make(struct hard_terms *terms, const struct physics_context *c
     *terms = (struct hard_terms){.kappa = stiff ? options->kappa : 0.0,
                                  .repair = options->repair,
                                  .hertz = !stiff && !form->linear,
-                                 .relax = hard_relax_model(HARD_MODEL_COULOMB)->relax};
+                                 .relax = hard_relax_model((enum hard_model_number)options->model)->relax,
+                                 .poisson = options->restitution == HARD_RESTITUTION_POISSON,
+                                 .open = options->model == HARD_MODEL_PROJECTION};
+    bool slick = options->model == HARD_MODEL_FRICTIONLESS;
     terms->materials = scene->materials;
     terms->pair = memory_allocate_zero((size_t)(scene->materials * scene->materials), sizeof *terms->pair,
                                        "hard contacts");
@@ -40,7 +43,7 @@ static void terms_make(struct hard_terms *terms, const struct physics_context *c
         for (int b = 0; b < scene->materials; b++) {
             const struct law_coefficients *c = law_pair_of(law, a, b);
             struct hard_term *term = &terms->pair[a * scene->materials + b];
-            *term = (struct hard_term){.friction = c->friction,
+            *term = (struct hard_term){.friction = slick ? 0.0 : c->friction,
                                        .restitution = scene_law_pair(scene, a, b)->restitution};
             if (stiff)
                 continue;

@@ -11,9 +11,20 @@ static const struct schema_name method_names[] = {
     {"gauss_seidel", HARD_GAUSS_SEIDEL, "sweeps over contacts that begin with the forces of the step before"},
     {"newton", HARD_NEWTON, "Newton's method from those sweeps, for steps whose residual they do not bring below the tolerance"},
     {0}};
+#define MODEL_NAME(NAME, name, closed, summary) {#name, HARD_MODEL_##NAME, summary},
+static const struct schema_name model_names[] = {HARD_MODEL_TABLE(MODEL_NAME) {0}};
+#undef MODEL_NAME
+static const struct schema_name restitution_names[] = {
+    {"pass", HARD_RESTITUTION_PASS, "sweeps over the impacts alone, behind those over all contacts"},
+    {"poisson", HARD_RESTITUTION_POISSON, "Poisson's: the impulse of an impact grows by the part e, and all contacts are solved again: twice the sweeps, and no energy where they converge"},
+    {0}};
 static const struct schema_row section[] = {
     {.key = "name", .type = SCHEMA_NAME, .names = method_names, .fallback = "gauss_seidel",
      .offset = offsetof(struct hard_options, method), .size = sizeof(int), .help = "method of the solver"},
+    {.key = "model", .type = SCHEMA_NAME, .names = model_names, .fallback = "coulomb", .when = "/contact.law:stiff",
+     .offset = offsetof(struct hard_options, model), .size = sizeof(int), .help = "what a contact answers: for comparisons, and for bodies; spheres have one answer in all but frictionless and projection"},
+    {.key = "restitution", .type = SCHEMA_NAME, .names = restitution_names, .fallback = "pass", .when = "/contact.law:stiff",
+     .offset = offsetof(struct hard_options, restitution), .size = sizeof(int), .help = "how impacts rebound"},
     {.key = "sweeps", .type = SCHEMA_INT, .range = "[1, 1000000]", .fallback = "30",
      .offset = offsetof(struct hard_options, sweeps), .size = sizeof(int),
      .help = "largest number of sweeps a step: 10 in flows, 30 at rest"},

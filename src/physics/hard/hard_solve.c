@@ -92,15 +92,17 @@ static double residual_of(const struct hard_solver *solver) {
     return most > 0.0 ? sqrt(sum[0] / most) : 0.0;
 }
 
-/* Sweeps until the residual is met, or all are done. Masses are split. */
+/* Sweeps until the residual is met, or all are done. */
 static void sweep(struct hard_solver *solver, struct hard_result *result) {
     const struct hard_options *options = &solver->options;
+    struct hard_problem *problem = &solver->problem;
+    int first = result->sweeps, done = 0;
     result->residual = INFINITY;
-    while (result->sweeps < options->sweeps && result->residual > options->tolerance) {
-        hard_problem_sweep(&solver->problem);
-        hard_border_join(&solver->border, &solver->problem, true);
-        result->sweeps++;
-        if (result->sweeps % LOOK_EVERY == 0 || result->sweeps == options->sweeps)
+    while (done < options->sweeps && result->residual > options->tolerance) {
+        hard_problem_sweep(problem);
+        hard_border_join(&solver->border, problem, true);
+        result->sweeps = first + ++done;
+        if (done % LOOK_EVERY == 0 || done == options->sweeps)
             result->residual = residual_of(solver);
     }
 }
@@ -115,16 +117,26 @@ static void refine(struct hard_solver *solver, struct hard_result *result) {
     result->residual = newton.residual;
 }
 
-static void rebound(struct hard_solver *solver) {
+/* Impacts rebound. */
+static void rebound(struct hard_solver *solver, struct hard_result *result) {
+    struct hard_problem *problem = &solver->problem;
+    if (solver->terms.poisson) {
+        double any = hard_problem_expand(problem);
+        comm_max(solver->comm, &any, 1);
+        if (any > 0.0)
+            sweep(solver, result);
+        return;
+    }
     for (int k = 0; k < REBOUND_SWEEPS; k++) {
-        double any = hard_problem_rebound(&solver->problem);
+        double any = hard_problem_rebound(problem);
         comm_max(solver->comm, &any, 1);
         if (any <= 0.0)
             break;
-        hard_border_join(&solver->border, &solver->problem, true);
+        hard_border_join(&solver->border, problem, true);
     }
 }
 
+/* The impulses of the step. */
 static void iterate(struct hard_solver *solver, size_t owned, struct hard_result *result) {
     struct hard_problem *problem = &solver->problem;
     bool newton = solver->options.method == HARD_NEWTON;
@@ -139,7 +151,7 @@ static void iterate(struct hard_solver *solver, size_t owned, struct hard_result
         refine(solver, result);
         hard_border_split(&solver->border, problem, true);
     }
-    rebound(solver);
+    rebound(solver, result);
     hard_border_split(&solver->border, problem, false);
 }
 

@@ -90,6 +90,18 @@ bool hard_problem_rebound(struct hard_problem *problem) {
     return any;
 }
 
+bool hard_problem_expand(struct hard_problem *problem) {
+    bool any = false;
+    for (size_t r = 0; r < problem->rows; r++) {
+        struct hard_row *row = &problem->row[r];
+        if (!hard_rebounds(row))
+            continue;
+        row->least = (1.0 + row->restitution) * row->p;
+        any = true;
+    }
+    return any;
+}
+
 void hard_problem_residual(const struct hard_problem *problem, double sum[3]) {
     double(*part)[3] = memory_allocate_zero(problem->cuts, sizeof *part, "residual of contacts");
 #pragma omp parallel for schedule(static) if (problem->rows >= ROWS_ALONE)

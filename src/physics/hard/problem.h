@@ -48,6 +48,9 @@ void hard_problem_sweep(struct hard_problem *problem);
 /* The same for rows that rebound (hard_rebounds). Returns whether this rank has such rows. */
 bool hard_problem_rebound(struct hard_problem *problem);
 
+/* Rows that rebound shall keep 1 + restitution times their normal impulses from now on. Returns whether this rank has any. */
+bool hard_problem_expand(struct hard_problem *problem);
+
 /* Adds the squares of p - z, p and z over the rows, z what a visit would make of p if all others stay: the residual
  * of Alart and Curnier is sqrt(sum[0] / max(sum[1], sum[2])). The same bits for any number of threads. */
 void hard_problem_residual(const struct hard_problem *problem, double sum[3]);

@@ -46,6 +46,7 @@ struct hard_row {
     double deep;     /* of Hertz: overlap at the last visit */
     double approach; /* speed of approach at the start of the step, free of this step's impulses */
     double restitution;
+    double least; /* normal impulse of an impact at least, by Poisson's restitution */
     bool
         impact; /* a new contact that approaches so fast that it rebounds; the next step begins without its impulses */
     double p, q[3];
@@ -170,7 +171,7 @@ static inline void hard_wish(struct hard_row *row, double dt, const struct hard_
         if (free + push * spring > row->release)
             spring = (row->release - HARD_RELEASE_PART * (row->release + row->bias) - free) /
                      (push + HARD_RELEASE_PART * row->soft_n);
-        *p = fmax(0.0, spring);
+        *p = fmax(row->least, spring);
     }
     double limit = row->friction * *p;
     if (!(limit > 0.0))

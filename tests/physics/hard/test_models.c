@@ -5,6 +5,7 @@
 
 #include "base/random.h"
 #include "physics/hard/models.h"
+#include "physics/hard/problem.h"
 #include "physics/hard/row.h"
 #include "physics/hard/thin.h"
 #include <string.h>
@@ -246,5 +247,54 @@ static void test_thin(void **state) {
     assert_true(point[FACE].keep && point[FACE + 1].keep);
 }
 
+/* Spheres of a ring that all touch their neighbours fly inwards with e = 1: Poisson's restitution never adds energy. */
+static void test_poisson(void **state) {
+    (void)state;
+    enum { RING = 6, SWEEPS = 400 };
+    for (uint64_t k = 0; k < CASES; k++) {
+        struct random_sequence random = random_sequence(31, RANDOM_TEST, k);
+        struct hard_problem problem = {0};
+        double before = 0.0, after = 0.0, momentum[2] = {0.0, 0.0};
+        hard_problem_reserve(&problem, RING, RING, 1);
+        hard_problem_begin(&problem, 1e-3);
+        problem.bodies = problem.rows = RING;
+        problem.cut[++problem.cuts] = RING;
+        hard_problem_end_colour(&problem);
+        for (int b = 0; b < RING; b++) {
+            double angle = 2.0 * M_PI * b / RING, mass = between(&random, 0.5, 2.0);
+            problem.body[b] = (struct hard_body){.v = {-cos(angle) + between(&random, -0.5, 0.5),
+                                                       -sin(angle) + between(&random, -0.5, 0.5), 0.0},
+                                                 .lightness = 1.0 / mass,
+                                                 .swing = 2.5 / mass};
+            before += 0.5 * mass * hard_dot(problem.body[b].v, problem.body[b].v);
+            momentum[0] += mass * problem.body[b].v[0];
+        }
+        for (uint32_t b = 0; b < RING; b++) {
+            double angle = 2.0 * M_PI * (b + 0.5) / RING;
+            problem.row[b] = (struct hard_row){.body = {b, (b + 1) % RING},
+                                               .normal = {-sin(angle), cos(angle), 0.0},
+                                               .lever = {1.0, 1.0},
+                                               .release = INFINITY,
+                                               .friction = k % 2 ? 0.5 : 0.0,
+                                               .restitution = 1.0,
+                                               .impact = true};
+        }
+        for (int sweep = 0; sweep < SWEEPS; sweep++)
+            hard_problem_sweep(&problem);
+        assert_true(hard_problem_expand(&problem));
+        for (int sweep = 0; sweep < SWEEPS; sweep++)
+            hard_problem_sweep(&problem);
+        for (int b = 0; b < RING; b++) {
+            const struct hard_body *body = &problem.body[b];
+            after += 0.5 * hard_dot(body->v, body->v) / body->lightness +
+                     0.5 * hard_dot(body->w, body->w) / body->swing;
+            momentum[1] += body->v[0] / body->lightness;
+        }
+        assert_true(after <= before * (1.0 + 1e-9));
+        assert_true(fabs(momentum[1] - momentum[0]) < 1e-12);
+        hard_problem_free(&problem);
+    }
+}
+
 TEST_MAIN(models, cmocka_unit_test(test_spheres), cmocka_unit_test(test_coupled), cmocka_unit_test(test_rod),
-          cmocka_unit_test(test_arm), cmocka_unit_test(test_thin))
+          cmocka_unit_test(test_arm), cmocka_unit_test(test_thin), cmocka_unit_test(test_poisson))
