@@ -43,7 +43,7 @@ for index in linkcell brute; do
     check 'the same bits' same one "$index"
 done
 for ranks in 2 3; do
-    check "$ranks ranks" run_scene $ranks bed.yaml ranks$ranks --set threads=1
+    check "$ranks ranks" run_scene $ranks bed.yaml ranks$ranks --set threads=1 --set step.count=2400 # each comes to rest at a time of its own
     check 'it rests' rests ranks$ranks
 done
 check '2 ranks, newton off, 2 threads' run_scene 2 bed.yaml off --set threads=2 --set newton=false

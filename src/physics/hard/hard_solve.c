@@ -221,36 +221,65 @@ static double approach_of(const struct hard_problem *problem, const struct hard_
     return -hard_dot(u, row->normal);
 }
 
-/* Largest overlap and approach, contacts, energies and virial. */
+/* Notes a row if its overlap is the largest so far. */
+static void overlap_note(const struct hard_solver *solver, const struct particles *p, size_t r,
+                         struct hard_result *result) {
+    const struct hard_row *row = &solver->problem.row[r];
+    bool wall = r >= solver->contacts.pair_rows;
+    size_t end[2];
+    hard_contacts_ends(&solver->contacts, &solver->pairs, r, end);
+    double smaller = p->state[end[0]].radius;
+    if (!wall)
+        smaller = fmin(smaller, p->state[end[1]].radius);
+    if (!(-row->gap / smaller > result->overlap))
+        return;
+    result->overlap = -row->gap / smaller;
+    result->overlap_id[0] = p->id[end[0]];
+    result->overlap_id[1] =
+        wall ? -(int64_t)(solver->contacts.wall[r - solver->contacts.pair_rows].place.wall + 1)
+             : p->id[end[1]];
+}
+
+/* Overlap, approach, energies and virial of a cut. */
+static void account_cut(const struct hard_solver *solver, const struct hard_input *input, size_t cut,
+                        struct hard_result *part) {
+    *part = (struct hard_result){0};
+    for (size_t r = solver->problem.cut[cut]; r < solver->problem.cut[cut + 1]; r++) {
+        const struct hard_row *row = &solver->problem.row[r];
+        double stored[2], branch[3], force[3];
+        overlap_note(solver, input->particles, r, part);
+        part->contacts += row->p > 0.0;
+        if (row->p > 0.0 && row->gap <= 0.0 && !row->impact)
+            part->approach = fmax(part->approach, approach_of(&solver->problem, row));
+        hard_stored(row, input->dt, input->duration, stored);
+        part->stored[0] += row->impact ? 0.0 : stored[0];
+        part->stored[1] += row->impact ? 0.0 : stored[1];
+        pull_of(row, input->duration, branch, force);
+        force_add_virial(part->virial, 1.0, branch, force);
+    }
+}
+
+/* Largest overlap and approach, contacts, energies and virial: sums over cuts, whose order no number of threads changes. */
 static void account(const struct hard_solver *solver, const struct hard_input *input,
                     struct hard_result *result) {
-    const struct particles *p = input->particles;
-    for (size_t r = 0; r < solver->problem.rows; r++) {
-        const struct hard_row *row = &solver->problem.row[r];
-        bool wall = r >= solver->contacts.pair_rows;
-        size_t end[2];
-        hard_contacts_ends(&solver->contacts, &solver->pairs, r, end);
-        double smaller = p->state[end[0]].radius;
-        if (!wall)
-            smaller = fmin(smaller, p->state[end[1]].radius);
-        if (-row->gap / smaller > result->overlap) {
-            result->overlap = -row->gap / smaller;
-            result->overlap_id[0] = p->id[end[0]];
-            result->overlap_id[1] =
-                wall ? -(int64_t)(solver->contacts.wall[r - solver->contacts.pair_rows].place.wall + 1)
-                     : p->id[end[1]];
+    size_t cuts = solver->problem.cuts;
+    struct hard_result *part = memory_allocate(cuts, sizeof *part, "account of contacts");
+#pragma omp parallel for schedule(static)
+    for (size_t k = 0; k < cuts; k++)
+        account_cut(solver, input, k, &part[k]);
+    for (size_t k = 0; k < cuts; k++) {
+        if (part[k].overlap > result->overlap) {
+            result->overlap = part[k].overlap;
+            memcpy(result->overlap_id, part[k].overlap_id, sizeof part[k].overlap_id);
         }
-        result->contacts += row->p > 0.0;
-        if (row->p > 0.0 && row->gap <= 0.0 && !row->impact)
-            result->approach = fmax(result->approach, approach_of(&solver->problem, row));
-        double stored[2];
-        hard_stored(row, input->dt, input->duration, stored);
-        result->stored[0] += row->impact ? 0.0 : stored[0];
-        result->stored[1] += row->impact ? 0.0 : stored[1];
-        double branch[3], force[3];
-        pull_of(row, input->duration, branch, force);
-        force_add_virial(result->virial, 1.0, branch, force);
+        result->approach = fmax(result->approach, part[k].approach);
+        result->contacts += part[k].contacts;
+        for (int d = 0; d < 2; d++)
+            result->stored[d] += part[k].stored[d];
+        for (int d = 0; d < 6; d++)
+            result->virial[d] += part[k].virial[d];
     }
+    memory_free(part);
 }
 
 size_t hard_solver_list(const struct hard_solver *solver, const struct particles *particles, bool walls,

@@ -5,7 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { SIX = 6, NONE = -1 };
+enum { SIX = 6, NONE = -1, ATTEMPTS_MOST = 30 }; /* not a number never factors */
 
 /* A factor that breaks down begins again with this much more on the diagonal, and with four times more each time. */
 static const double shift_first = 1e-3, shift_more = 4.0;
@@ -263,7 +263,7 @@ void hard_blocks_make(struct hard_blocks *blocks, const struct hard_problem *pro
         for (size_t i = 0; i < blocks->bodies; i++)
             for (int k = 0; k < SIX; k++)
                 blocks->diagonal[i][k][k] = 1.0 + (1.0 + shift) * blocks->diagonal[i][k][k];
-        again = !factor(blocks);
+        again = !factor(blocks) && attempt < ATTEMPTS_MOST;
         shift = shift > 0.0 ? shift * shift_more : shift_first;
     }
     memory_free(whole);
