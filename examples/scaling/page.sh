@@ -160,7 +160,7 @@ counts each byte that a long memset clears; new arrays that one thread clears, 0
 | 64 | 0.164 million | 0.036 | 1.48 | 0.20 | 2.32 | 1.05 |
 
 What a thread does alone in a step are sums and largest values over the threads, about 500 instructions a thread. A step in fused order has one parallel
-region with one barrier inside. A step in ring order has two regions without a barrier. A step with a rebuild has 20 regions with 11 barriers inside, and
+region with one barrier inside. A step with a rebuild has 20 regions with 11 barriers inside, and
 the next step has three regions more for the plan. With 64 threads the first thread has 1.28 million instructions in the regions of a rebuild, and the mean
 of the others is 0.79 million. The reason: a range at a face of the box also searches the images beyond the face. Here a range is a third of a layer of
 cells.

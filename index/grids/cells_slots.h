@@ -4,7 +4,7 @@
 #define SCREE_INDEX_GRIDS_CELLS_SLOTS_H
 
 #include "index/grids/cells_table.h"
-#include "index/grids/locate.h"
+#include "index/grids/levels_parts.h"
 
 #include <omp.h>
 

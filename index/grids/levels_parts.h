@@ -6,6 +6,7 @@
 
 #include "index/grids/cells.h"
 #include "index/grids/cross.h"
+#include "index/grids/grid.h"
 #include "index/grids/stencil.h"
 
 /* The grids that an index chooses. */
@@ -82,5 +83,26 @@ struct levels {
     int cross_search;         /* enum index_cross */
     double radius_min[INDEX_CLASS_MAX], radius_max[INDEX_CLASS_MAX]; /* by grid, of the view's classes */
 };
+
+/* Particles to frame coordinates, and these to cells, a batch at a time: plain loops over small arrays, which
+ * compilers turn into vector instructions. The results are those of grid_frame_coordinate and grid_cell to the
+ * last bit. */
+
+enum { LOCATE_BATCH = 128 };
+
+struct located {
+    size_t count;
+    float x[3][LOCATE_BATCH]; /* frame coordinates */
+    double r[LOCATE_BATCH];   /* radii, length unit */
+    uint32_t cell[3][LOCATE_BATCH];
+    bool clamped; /* the frame clamped some coordinate */
+};
+
+/* Coordinates and radii of `count` <= LOCATE_BATCH particles: those listed, or (NULL) first, first + 1 ... */
+void locate_particles(struct located *located, const struct index_view *view, const struct frame *frame,
+                      const uint32_t *list, size_t first);
+
+/* The cells of the located particles. */
+void locate_cells(struct located *located, const struct grid *grid);
 
 #endif

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* The batches of locate.h, as plain loops. */
-#include "index/grids/locate.h"
+#include "index/grids/levels_parts.h"
 
 /* Coordinates in direction d; true if one was clamped. A coordinate that is not a number counts as
  * clamped. */

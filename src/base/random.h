@@ -13,7 +13,8 @@ enum random_stream {
     RANDOM_VELOCITY,
     RANDOM_INSERTION,
     RANDOM_TEST,
-    RANDOM_ORIENTATION
+    RANDOM_ORIENTATION,
+    RANDOM_SHAPE
 };
 
 /* A reader of one sequence: (seed, stream, item) fixes the sequence, and each draw advances `draw`. Plain

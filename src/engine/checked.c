@@ -7,20 +7,17 @@
 
 enum { FINITE_EVERY = 100 };
 
-void checked_step(struct simulation *s, bool sums, bool rebuild, bool unseen) {
+void checked_step(struct simulation *s, bool sums, bool rebuild, bool seen) {
     int64_t every = s->scene->step.rebuild_every;
     uint64_t next = s->clock.step + 1;
     s->evaluation.virial = sums || s->servo.on;
     s->evaluation.sums = s->evaluation.virial || s->sums_each_step || guards_energy_due(s, next);
     s->search.sorts = s->search.sorts || rebuild; /* the caller writes the state, or has changed it */
-    bool finite = !unseen || next % FINITE_EVERY == 0, energy = guards_energy_due(s, next),
-         stable = timing_due(s, next);
-    step_run(s, rebuild || (every > 0 && next % (uint64_t)every == 0),
-             unseen && !finite && !energy && !stable);
-    if (finite)
+    step_run(s, rebuild || (every > 0 && next % (uint64_t)every == 0));
+    if (seen || next % FINITE_EVERY == 0)
         guards_check_finite(s);
-    if (energy)
+    if (guards_energy_due(s, next))
         guards_check_energy(s);
-    if (stable)
+    if (timing_due(s, next))
         timing_look(s);
 }

@@ -5,9 +5,9 @@
 
 #include "engine/state.h"
 
-/* Runs a step. `sums`: observables of its end are wanted. `rebuild` forces a rebuild that sorts. `unseen`: the caller does not look
- * at its end, nor change anything before the next step (step_run). The caller has set simulation->agree.signals of
+/* Runs a step. `sums`: observables of its end are wanted. `rebuild` forces a rebuild that sorts. `seen`: the caller looks
+ * at its end, so all numbers are checked to be finite. The caller has set simulation->agree.signals of
  * this rank; errors of guards are in simulation->error. Collective. */
-void checked_step(struct simulation *simulation, bool sums, bool rebuild, bool unseen);
+void checked_step(struct simulation *simulation, bool sums, bool rebuild, bool seen);
 
 #endif

@@ -11,9 +11,16 @@ enum { SHEAR_GAIN = 4, SHEAR_INERTIA = 4 };
 
 static const char offset_name[] = "box: offset of the shear";
 
+/* The stress that the shear follows; no number: none. */
+static double shear_target(const struct scene *scene, const struct box *box) {
+    const struct box_motion *motion = &box->motion;
+    return motion->shears ? scene->stress.shear[motion->flow + motion->gradient - 1] : NAN;
+}
+
 void deform_prepare(struct simulation *s) {
     s->servo.on = s->scene->stress_given;
     s->servo.drift = s->box.motion.shear;
+    s->servo.shears = s->servo.on && !isnan(shear_target(s->scene, &s->box));
     if (s->box.motion.moves)
         skin_follow(s->search.skin, &s->box);
     if (s->servo.on && s->scene->reproducible)
@@ -21,31 +28,31 @@ void deform_prepare(struct simulation *s) {
             memory_allocate_zero((size_t)s->threads, sizeof *s->servo.exact, "sums of the stress");
 }
 
-void deform_free(struct simulation *s) {
-    memory_free(s->servo.exact);
+void deform_free(struct box_servo *servo) {
+    memory_free(servo->exact);
 }
 
-void deform_start(struct simulation *s) {
-    struct box box = s->box;
-    if (!s->box.motion.moves)
+void deform_start(const struct box *now, const struct scene *scene, struct particles *particles) {
+    struct box box = *now;
+    if (!box.motion.moves)
         return;
-    if (!s->scene->shear.profile)
+    if (!scene->shear.profile)
         box.motion.slide = 0;
-    if (!s->scene->strain.profile)
+    if (!scene->strain.profile)
         memset(box.motion.speed, 0, sizeof box.motion.speed);
 #pragma omp parallel for schedule(static)
-    for (size_t k = 0; k < s->particles->owned; k++) {
+    for (size_t k = 0; k < particles->owned; k++) {
         double flow[3];
-        box_flow(&box, s->particles->state[k].x, flow);
+        box_flow(&box, particles->state[k].x, flow);
         for (int d = 0; d < 3; d++)
-            s->particles->state[k].v[d] += flow[d];
+            particles->state[k].v[d] += flow[d];
     }
 }
 
 /* Sums of this rank's terms, as exact_add would do one by one, over all ranks: the same on any layout. */
-static void sum_exactly(const struct simulation *s, struct exact *sum, int n, double value[]) {
+static void sum_exactly(const struct comm *comm, struct exact *sum, int n, double value[]) {
     static_assert(sizeof *sum == EXACT_WORDS * sizeof(int64_t), "words alone are summed");
-    comm_sum_int(s->comm, sum->word, n * EXACT_WORDS);
+    comm_sum_int(comm, sum->word, n * EXACT_WORDS);
     for (int c = 0; c < n; c++)
         value[c] = exact_value(&sum[c]);
 }
@@ -61,7 +68,7 @@ void deform_begin(struct simulation *s) {
         exact_add(&exact[1], 4.0 / 3 * M_PI * state->radius * state->radius * state->radius);
         exact_add(&exact[2], 1);
     }
-    sum_exactly(s, exact, 3, sum);
+    sum_exactly(s->comm, exact, 3, sum);
     s->servo.mass = sum[0];
     double diameter = cbrt(6 / M_PI * sum[1] / fmax(sum[2], 1)), density = sum[0] / sum[1];
     if (s->box.dimension == 2) /* mass over area */
@@ -73,12 +80,11 @@ static double volume_of(const struct box *box) {
     return box->edge[0] * box->edge[1] * (box->dimension == 2 ? 1 : box->edge[2]);
 }
 
-/* Mass times the squares and products of the velocity of particle k relative to the mean flow. */
-static void flux_of(const struct simulation *s, size_t k, double flux[6]) {
+/* Mass times the squares and products of the velocity of a particle relative to the mean flow. */
+static void flux_of(const struct box *box, const struct particle_state *state, double flux[6]) {
     static const int row[6] = {0, 1, 2, 0, 0, 1}, column[6] = {0, 1, 2, 1, 2, 2};
-    const struct particle_state *state = &s->particles->state[k];
     double flow[3], v[3];
-    box_flow(&s->box, state->x, flow);
+    box_flow(box, state->x, flow);
     for (int d = 0; d < 3; d++)
         v[d] = state->v[d] - flow[d];
     for (int c = 0; c < 6; c++)
@@ -95,7 +101,7 @@ static void stress_exactly(const struct simulation *s, double sum[STRESS_SUMS]) 
         size_t last = s->particles->owned * ((size_t)t + 1) / (size_t)s->threads;
         for (size_t k = first; k < last; k++) {
             double flux[6];
-            flux_of(s, k, flux);
+            flux_of(&s->box, &s->particles->state[k], flux);
             for (int c = 0; c < 6; c++)
                 exact_add(&exact[t][c], flux[c]);
         }
@@ -105,7 +111,7 @@ static void stress_exactly(const struct simulation *s, double sum[STRESS_SUMS]) 
             exact_join(&exact[0][c], &exact[t][c]);
     if (mover->row->mover->stress)
         mover->row->mover->stress(&mover->context, exact[0], sum);
-    sum_exactly(s, exact[0], STRESS_SUMS, sum);
+    sum_exactly(s->comm, exact[0], STRESS_SUMS, sum);
     memset(exact, 0, (size_t)s->threads * sizeof *exact);
 }
 
@@ -121,7 +127,7 @@ static void stress_sum(const struct simulation *s, double sum[STRESS_SUMS]) {
         mover->row->mover->stress(&mover->context, NULL, sum);
     for (size_t k = 0; k < s->particles->owned; k++) {
         double flux[6];
-        flux_of(s, k, flux);
+        flux_of(&s->box, &s->particles->state[k], flux);
         for (int c = 0; c < 6; c++)
             sum[c] += flux[c];
     }
@@ -142,7 +148,7 @@ static double rate_of(const struct simulation *s, double excess, double scale, d
 /* Sets the rate of the shear. */
 static void shear_control(struct simulation *s, double stress, double pressure, double modulus) {
     struct box_motion *motion = &s->box.motion;
-    double target = motion->shears ? s->scene->stress.shear[motion->flow + motion->gradient - 1] : NAN;
+    double target = shear_target(s->scene, &s->box);
     if (isnan(target)) {
         s->servo.drift = motion->shear;
         return;
@@ -193,62 +199,52 @@ void deform_control(struct simulation *s) {
 }
 
 /* Stops the run before an edge is too short for its particles. */
-static void check_edges(struct simulation *s) {
-    const struct size_classes *classes = &s->classes;
+static void check_edges(const struct box *box, const struct size_classes *classes, const struct clock *clock,
+                        struct error *error) {
     double reach = 0;
     for (int a = 0; a < classes->count; a++)
         for (int b = 0; b <= a; b++)
             if (classes_meet(classes, a, b))
                 reach = fmax(reach, classes->radius_max[a] + classes->radius_max[b] + classes->margin[a][b]);
-    for (int d = 0; d < s->box.dimension; d++) {
-        double least = 1.01 * reach * (s->box.motion.shears && d == s->box.motion.flow ? 2 : 1);
-        if (s->box.periodic[d] && s->box.motion.stretch[d] < 0 && s->box.edge[d] <= least)
+    for (int d = 0; d < box->dimension; d++) {
+        double least = 1.01 * reach * (box->motion.shears && d == box->motion.flow ? 2 : 1);
+        if (box->periodic[d] && box->motion.stretch[d] < 0 && box->edge[d] <= least)
             error_set(
-                &s->error, ERROR_PHYSICS,
+                error, ERROR_PHYSICS,
                 "box: the %c edge has shrunk to %.6g, too short for the particles, which need more than "
                 "%.6g, at step %llu, t = %.9g",
-                'x' + d, s->box.edge[d], least, (unsigned long long)s->clock.step, s->clock.time);
+                'x' + d, box->edge[d], least, (unsigned long long)clock->step, clock->time);
     }
 }
 
 void deform_advance(struct simulation *s) {
     box_advance(&s->box, s->clock.dt);
-    check_edges(s);
+    check_edges(&s->box, &s->classes, &s->clock, &s->error);
     interactions_follow(&s->search.interactions, &s->box);
 }
 
-void deform_settle(struct simulation *s) {
-    box_settle(&s->box);
-    domain_follow(s->ranks.domain, &s->box);
+void deform_settle(struct box *box, struct domain *domain) {
+    box_settle(box);
+    domain_follow(domain, box);
 }
 
-void deform_restart(struct simulation *s, struct restart *restart) {
-    if (!s->box.motion.moves)
-        return;
-    restart_add(restart, RESTART_REAL, true, &s->box.motion.offset, "%s", offset_name);
-    restart_add(restart, RESTART_REAL, true, &s->box.motion.turns, "box: turns of the shear");
+void deform_restart(struct box *box, struct box_servo *servo, struct restart *restart) {
+    restart_add(restart, RESTART_REAL, true, &box->motion.offset, "%s", offset_name);
+    restart_add(restart, RESTART_REAL, true, &box->motion.turns, "box: turns of the shear");
     for (int d = 0; d < 3; d++)
-        restart_add(restart, RESTART_REAL, true, &s->box.edge[d], "box: edge %c", 'x' + d);
-    restart_add(restart, RESTART_REAL, true, &s->box.motion.slide, "box: speed of the shear");
+        restart_add(restart, RESTART_REAL, true, &box->edge[d], "box: edge %c", 'x' + d);
+    restart_add(restart, RESTART_REAL, true, &box->motion.slide, "box: speed of the shear");
     for (int d = 0; d < 3; d++)
-        restart_add(restart, RESTART_REAL, true, &s->box.motion.speed[d], "box: speed of edge %c", 'x' + d);
-    if (!s->scene->stress_given)
+        restart_add(restart, RESTART_REAL, true, &box->motion.speed[d], "box: speed of edge %c", 'x' + d);
+    if (!servo->on)
         return;
     for (int d = 0; d < 3; d++)
-        restart_add(restart, RESTART_REAL, true, &s->box.motion.stretch[d], "box: rate of edge %c", 'x' + d);
-    restart_add(restart, RESTART_REAL, true, &s->servo.mass, "box: mass of the particles");
-    restart_add(restart, RESTART_REAL, true, &s->servo.bound, "box: bound of the rates");
-    restart_add(restart, RESTART_REAL, true, &s->servo.drift, "box: drift of the shear");
-    if (s->box.motion.shears &&
-        !isnan(s->scene->stress.shear[s->box.motion.flow + s->box.motion.gradient - 1]))
-        restart_add(restart, RESTART_REAL, true, &s->box.motion.shear, "box: rate of the shear");
-}
-
-void deform_resume(struct simulation *s, bool moved) {
-    if (s->box.motion.moves)
-        domain_follow(s->ranks.domain, &s->box);
-    if (!moved)
-        deform_start(s);
+        restart_add(restart, RESTART_REAL, true, &box->motion.stretch[d], "box: rate of edge %c", 'x' + d);
+    restart_add(restart, RESTART_REAL, true, &servo->mass, "box: mass of the particles");
+    restart_add(restart, RESTART_REAL, true, &servo->bound, "box: bound of the rates");
+    restart_add(restart, RESTART_REAL, true, &servo->drift, "box: drift of the shear");
+    if (servo->shears)
+        restart_add(restart, RESTART_REAL, true, &box->motion.shear, "box: rate of the shear");
 }
 
 bool deform_moved(const struct restart_values *values) {
@@ -258,14 +254,14 @@ bool deform_moved(const struct restart_values *values) {
     return false;
 }
 
-bool deform_check(const struct simulation *s, const struct restart_values *values, const char *path,
+bool deform_check(const struct box *box, const struct restart_values *values, const char *path,
                   struct error *error) {
     for (size_t k = 0; k < values->count[RESTART_REAL]; k++) {
         double offset;
         if (strcmp(values->name[RESTART_REAL][k], offset_name) != 0)
             continue;
         memcpy(&offset, &values->value[RESTART_REAL][k], sizeof offset);
-        if (!s->box.motion.moves || (!s->box.motion.shears && offset != 0))
+        if (!box->motion.moves || (!box->motion.shears && offset != 0))
             return error_set(error, ERROR_USER,
                              "%s: it was written for a box that moves: box.shear, box.strain or box.stress "
                              "must stay; a rate of 0 holds the box",

@@ -10,10 +10,10 @@
 
 /* Prepares the parts of a simulation whose box moves, once they exist; and frees what it made. */
 void deform_prepare(struct simulation *simulation);
-void deform_free(struct simulation *simulation);
+void deform_free(struct box_servo *servo);
 
 /* Adds the mean flow to the velocities of the owned particles, if the scene asks for this: at the start. */
-void deform_start(struct simulation *simulation);
+void deform_start(const struct box *box, const struct scene *scene, struct particles *particles);
 
 /* Prepares the servo of the stress, once the particles are known. Collective. */
 void deform_begin(struct simulation *simulation);
@@ -26,10 +26,6 @@ void deform_begin(struct simulation *simulation);
  * flows comes to its target, too. With `reproducible` the stress is summed without rounding. Collective. */
 void deform_control(struct simulation *simulation);
 
-/* After the numbers of a checkpoint have been taken over; `moved`: the checkpoint's box moved (deform_moved), else
- * the particles start with the mean flow if the scene asks for this. */
-void deform_resume(struct simulation *simulation, bool moved);
-
 /* Before a step: gives the particles the change of the mean flow, if the rates of the box have changed, or if its
  * edges have. */
 void deform_flow(struct simulation *simulation);
@@ -38,17 +34,17 @@ void deform_flow(struct simulation *simulation);
 void deform_advance(struct simulation *simulation);
 
 /* Prepares the box for a rebuild: before positions are wrapped. */
-void deform_settle(struct simulation *simulation);
+void deform_settle(struct box *box, struct domain *domain);
 
 /* True if these numbers of a checkpoint are of a box that has moved. */
 bool deform_moved(const struct restart_values *values);
 
 /* Adds the numbers that a resume needs. */
-void deform_restart(struct simulation *simulation, struct restart *restart);
+void deform_restart(struct box *box, struct box_servo *servo, struct restart *restart);
 
 /* True if the checkpoint of these numbers is of a box whose images are not where this scene has them; then an
  * error. */
-bool deform_check(const struct simulation *simulation, const struct restart_values *values, const char *path,
+bool deform_check(const struct box *box, const struct restart_values *values, const char *path,
                   struct error *error);
 
 #endif

@@ -96,17 +96,6 @@ void guards_check(struct simulation *s) {
     guard_speed(s);
 }
 
-bool guards_calm(const struct simulation *s) {
-    bool finite;
-    double move = sqrt(fastest_drift(s, &finite)) * s->clock.dt, least = least_radius(s);
-    double walls = fmax(s->search.skin->growth[s->classes.count], 0);
-    const struct physics_active *mover = s->physics.mover;
-    double before = mover->row->mover->overlap ? mover->row->mover->overlap(&mover->context) : 0;
-    double overlap = before + (move + fmax(move, walls)) / least;
-    return finite && !(move > least) && isfinite(before) &&
-           (s->scene->guards.overlap == SCENE_GUARD_OFF || overlap < s->scene->guards.overlap_bound);
-}
-
 /* True if position and speed of a particle are finite; the square of the speed is, too, as in integrator_advance. */
 static bool state_finite(const struct particle_state *p) {
     const double square[3] = {p->v[0] * p->v[0], p->v[1] * p->v[1], p->v[2] * p->v[2]};

@@ -14,14 +14,8 @@ bool guards_prepare(struct simulation *simulation, struct error *error);
  * all ranks alike. */
 void guards_step(struct simulation *simulation, const char *text);
 
-/* Runs the guards of all physics, and that of speed, after a force evaluation; costs no time. Not after a step whose particles
- * have moved on: guards_calm then sees to it that the next one ends complete. */
+/* Runs the guards of all physics, and that of speed, after a force evaluation; costs no time. */
 void guards_check(struct simulation *simulation);
-
-/* True if the speed on this rank is within bounds in the step in progress, whose particles have moved, and the largest
- * overlap, known from the step before, most likely will be: walls that turn back and pairs from other ranks are not
- * bounded. */
-bool guards_calm(const struct simulation *simulation);
 
 /* Stops the run if a position, velocity, spin or force of an owned particle, or the motion of a wall or the force on it, is
  * not finite; a pass over all particles. Between two calls guards_check finds velocities and spins as particles move.

@@ -43,21 +43,3 @@ struct output_view simulation_view(const struct simulation *s) {
             active->row->shown->view(&active->context, &view);
     return view;
 }
-
-int64_t simulation_contact_sides(const struct simulation *s) {
-    const struct physics_active *mover = s->physics.mover;
-    return mover->row->mover->contacts ? (int64_t)mover->row->mover->contacts(&mover->context) : 0;
-}
-
-bool simulation_occupied(const struct simulation *s, const double x[3], double radius) {
-    const struct physics_active *obstacles = s->physics.obstacles;
-    return obstacles && obstacles->row->obstacles->taken(&obstacles->context, x, radius);
-}
-
-bool simulation_may_lose(const struct simulation *s) {
-    for (int d = 0; d < 3; d++)
-        for (int side = 0; side < 2; side++)
-            if (!s->box.periodic[d] && s->box.leave[d][side] == BOX_DELETE)
-                return true;
-    return false;
-}

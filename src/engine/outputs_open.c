@@ -99,7 +99,7 @@ struct output_run outputs_run(const struct simulation *s, const char *directory)
                              .lineage = &s->lineage,
                              .dimensionless = scene->units == SCENE_UNITS_NONE,
                              .varying = scene->stages > 1 || scene->insertions > 0 || scene->deletions > 0 ||
-                                        simulation_may_lose(s),
+                                        box_may_lose(&s->box),
                              .seed = scene->seed,
                              .materials = scene->materials,
                              .material = scene->material,

@@ -186,7 +186,8 @@ void physics_rows(const struct physics_set *set, struct history_rows *rows[PHYSI
     PHYSICS_EACH (active, set, rows) {
         assert(active->number < PHYSICS_COUNT);
         rows[active->number] = active->row->rows->of(&active->context);
-        rows[active->number]->components = active->row->rows->components;
+        if (rows[active->number])
+            rows[active->number]->components = active->row->rows->components;
     }
 }
 
@@ -241,4 +242,14 @@ const char *physics_limit_why(const struct physics_set *set, double limit) {
 void physics_restart(const struct physics_set *set, struct restart *restart) {
     PHYSICS_EACH (active, set, restart)
         active->row->restart(&active->context, restart);
+}
+
+int64_t physics_contact_sides(const struct physics_set *set) {
+    const struct physics_mover *mover = set->mover->row->mover;
+    return mover->contacts ? (int64_t)mover->contacts(&set->mover->context) : 0;
+}
+
+bool physics_occupied(const struct physics_set *set, const double x[3], double radius) {
+    const struct physics_active *obstacles = set->obstacles;
+    return obstacles && obstacles->row->obstacles->taken(&obstacles->context, x, radius);
 }

@@ -50,7 +50,6 @@
 #include "data/formats/restart.h"
 #include "kernel/pairs/history.h"
 #include "kernel/pairs/interaction.h"
-#include "kernel/pairs/ring.h"
 #include "kernel/pairs/history_rows.h"
 #include "kernel/particles/fields.h"
 #include "physics_table.h"
@@ -63,8 +62,6 @@ enum { PHYSICS_INTERACTIONS_MAX = 4 };
 struct evaluation {
     double dt;         /* time since the evaluation before; 0: the forces of a given state, memories stay */
     bool sums, virial; /* energies are wanted, and the work of forces on distances */
-    const struct ring
-        *ring; /* a step in ring order: particles borrow force records (kernel/pairs/ring.h); else NULL */
 };
 
 /* The parts of a run that a physics may use. Borrowed; lists, classes and ghosts are those of the last
@@ -98,7 +95,8 @@ enum pass_place {
     PASS_PAIRS,  /* forces and other sums over pairs: passes by block */
     PASS_SHARES, /* effects on single particles: passes by thread */
     PASS_CLOSE,  /* sums over threads; then the engine sends REVERSE fields of copies to originals */
-    PASS_LOOK    /* not in the step, but before output and observables, if any are due */
+    PASS_LOOK,   /* not in the step, but before output and observables, if any are due */
+    PASS_PLACES
 };
 
 /* A pass of a step. Exactly one of whole, rows, block and share is given. */
@@ -106,14 +104,9 @@ struct physics_pass {
     const char *name;
     const char *why; /* the reason in the scene for this pass; NULL: always there */
     enum pass_place place;
-    const char *does;  /* its work in a few words, for the report's description of its stage */
-    const char *timer; /* stage of the report for the time (stages.h); NULL: named as the pass */
-    /* Names of fields, as "position velocity": shown to people, and the reason for which a scene has or has not the
-     * ring order (plan.h). */
-    const char *reads, *writes;
-    bool
-        at_end; /* of the fields that moves read and write it touches only those of particles that move at the end
-                    of a step in ring order (kernel/pairs/ring.h) */
+    const char *does;           /* its work in a few words, for the report's description of its stage */
+    const char *timer;          /* stage of the report for the time (stages.h); NULL: named as the pass */
+    const char *reads, *writes; /* names of fields, as "position velocity": shown to people */
     bool (*needed)(const struct physics_context *context); /* NULL: always */
     /* Called once; opens its own teams of threads. */
     void (*whole)(const struct physics_context *context);
@@ -175,7 +168,8 @@ struct physics_maker {
  * numbers; `rebuilt` finds them in the new order. */
 struct physics_rows {
     struct history_rows *(*of)(
-        const struct physics_context *context); /* `start` is there, owned + 1 entries */
+        const struct physics_context
+            *context); /* `start` is there, owned + 1 entries; NULL: this scene has no rows */
     int components;
     /* True if the step in progress must rebuild. The same on all ranks. */
     bool (*due)(const struct physics_context *context);
@@ -193,8 +187,11 @@ struct physics_joints {
      * if `joins` is true, at the start. */
     bool (*joined)(const struct physics_context *context, size_t i, size_t j);
     bool (*joins)(const struct physics_context *context);
+    /* True if this physics has the contacts of an owned particle with walls, which the law then leaves out; any thread, where
+     * `joins` is true. NULL: of none. */
+    bool (*alone)(const struct physics_context *context, size_t i);
     /* Its part in the stability of contacts (physics/grains/motion/stability.h): adds the springs at owned particles; the largest
-     * L_i + L_j of its pairs. */
+     * L_i + L_j of its pairs. NULL: it has none. */
     void (*stiffen)(const struct physics_context *context, struct stability *stability);
     double (*stiffest)(const struct physics_context *context, const struct stability *stability);
 };
@@ -250,24 +247,22 @@ enum { STRESS_SUMS = 7 };
  *
  * The passes at PASS_MOVE of a mover do what integrator_advance does for grains (physics/grains/motion/integrator.h): they
  * move the particles, set the force record of each to zero, give prescribed groups their motion and leave carried grains to
- * their carrier, and leave z as it is in two dimensions. Files and observables show v + dt/2 (f/m + g) as the velocity: the one
- * that is stored is that of half a step before. */
+ * their carrier, and leave z as it is in two dimensions. tests/mpi/test_mover.c has a whole one in 40 lines. */
 struct physics_mover {
     /* The evaluation that follows, or the length of steps, is another one: context->evaluation, context->clock. */
     void (*prepare)(const struct physics_context *context);
-    /* After the forces of the state from which a run starts; moves the velocities back by half a step. Resumed runs do without.
-     * Collective. */
+    /* After the forces of the state from which a run starts. Resumed runs do without. Collective. */
     void (*begin)(const struct physics_context *context);
-    /* Moves the velocities of grains back by half of `dt`, under the present forces: where the length of steps changes. */
-    void (*shift)(const struct physics_context *context, double dt);
+    /* Moves the velocities of grains back by half of `dt`, under the present forces: after `begin`, and where the length of
+     * steps changes. The stored velocities are then those of half a step before, and files and observables show
+     * v + dt/2 (f/m + g). NULL: the stored velocities are those of the full step, and are shown as they are. */
+    void (*stagger)(const struct physics_context *context, double dt);
     /* The largest stable step for what may come, from the particles at the start; INFINITY: any. Collective. `why`
      * writes the cause. NULL: any. */
     double (*expected)(const struct physics_context *context);
     void (*why)(const struct physics_context *context, char *text, size_t room);
     /* The fraction of the stable step that a run takes if its scene gives none. NULL: 1. */
     double (*fraction)(void);
-    /* The largest overlap over the smaller radius in the last evaluation; INFINITY: not known. NULL: 0. */
-    double (*overlap)(const struct physics_context *context);
     /* Sides of contacts in the last evaluation. NULL: none. */
     size_t (*contacts)(const struct physics_context *context);
     /* Adds this rank's sums of the last evaluation, for which evaluation->virial was set: without rounding to `exact`,
@@ -289,8 +284,6 @@ struct physics_obstacles {
     double (*displacement)(const struct physics_context *context);
     /* Work on grains since the start, this rank's part. */
     double (*work)(const struct physics_context *context);
-    /* The owned particles that feel them, increasing; borrowed. Returns how many. */
-    size_t (*near)(const struct physics_context *context, const uint32_t **number);
     /* True if `search`, `detach` and `attach` are needed. `search` runs in a rebuild, once particles have their places. */
     bool (*needed)(const struct physics_context *context);
     void (*search)(const struct physics_context *context);
@@ -426,6 +419,12 @@ void physics_energies(const struct physics_set *set, struct physics_energy *ener
 
 /* True if the set's obstacles are there and take part. */
 bool physics_meets(const struct physics_set *set);
+
+/* Sides of contacts in the last evaluation of forces, this rank's. */
+int64_t physics_contact_sides(const struct physics_set *set);
+
+/* True if a sphere at x (box-relative) would overlap an obstacle. Any thread. */
+bool physics_occupied(const struct physics_set *set, const double x[3], double radius);
 
 /* Calls `full_step` of all physics. Collective. */
 void physics_full_step(const struct physics_set *set);

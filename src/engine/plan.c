@@ -16,22 +16,29 @@ static void add(struct plan *plan, const struct plan_pass *pass) {
     plan->pass[plan->passes++] = *pass;
 }
 
-static void add_engine(struct plan *plan, const struct engine_pass *pass, const struct timers *timers,
-                       const struct simulation *simulation) {
+/* What a plan is made of. */
+struct plan_source {
+    const struct physics_set *set;
+    const struct timers *timers;
+    const struct simulation *simulation;
+};
+
+static void add_engine(struct plan *plan, const struct plan_source *from, const struct engine_pass *pass) {
     for (; pass && pass->run; pass++)
-        if (pass->needed == NULL || pass->needed(simulation))
+        if (pass->needed == NULL || pass->needed(from->simulation))
             add(plan, &(struct plan_pass){.name = pass->name,
                                           .why = pass->why,
-                                          .timer = stages_find(timers, pass->timer),
+                                          .timer = stages_find(from->timers, pass->timer),
                                           .run = pass->run});
 }
 
-static struct plan_pass entry_of(const struct physics_set *set, const struct physics_active *active,
-                                 const struct physics_pass *pass, const struct timers *timers) {
+static struct plan_pass entry_of(const struct plan_source *from, const struct physics_active *active,
+                                 const struct physics_pass *pass) {
+    const struct physics_set *set = from->set;
     assert(pass->block == NULL || active->row->search);
     return (struct plan_pass){.name = pass->name,
                               .why = pass->why,
-                              .timer = stages_of_pass(timers, pass),
+                              .timer = stages_of_pass(from->timers, pass),
                               .pass = pass,
                               .context = &active->context,
                               .list = pass->rows ? set->active[0].context.list[0] : active->context.list[0],
@@ -39,15 +46,16 @@ static struct plan_pass entry_of(const struct physics_set *set, const struct phy
 }
 
 /* Adds the passes of a place to the plan; passes that fit the visit go to `visit` instead. */
-static void add_place(struct plan *plan, struct plan_visit *visit, const struct physics_set *set,
-                      const struct timers *timers, enum pass_place place) {
+static void add_place(struct plan *plan, struct plan_visit *visit, const struct plan_source *from,
+                      enum pass_place place) {
+    const struct physics_set *set = from->set;
     for (int k = 0; k < set->count; k++)
         for (int p = 0; p < set->active[k].row->passes; p++) {
             const struct physics_active *active = &set->active[k];
             const struct physics_pass *pass = &active->row->pass[p];
             if (pass->place != place || (pass->needed && !pass->needed(&active->context)))
                 continue;
-            struct plan_pass entry = entry_of(set, active, pass, timers);
+            struct plan_pass entry = entry_of(from, active, pass);
             bool joins = visit && (place != PASS_PAIRS || entry.list == set->active[0].context.list[0]);
             if (joins)
                 visit_add(visit, &entry);
@@ -56,105 +64,24 @@ static void add_place(struct plan *plan, struct plan_visit *visit, const struct 
         }
 }
 
-/* True if one of the names in `a`, separated by blanks, is among those in `b`; NULL: no names. */
-static bool share_names(const char *a, const char *b) {
-    for (size_t n; a && b && *a; a += n + strspn(a + n, " ")) {
-        n = strcspn(a, " ");
-        for (const char *at = b; *at; at += strcspn(at, " "), at += strspn(at, " "))
-            if (strcspn(at, " ") == n && strncmp(at, a, n) == 0)
-                return true;
-    }
-    return false;
-}
-
-/* True if particles may move before the pass runs, as far as `moves` are concerned. */
-static bool allows_moves(const struct physics_pass *pass, const struct plan_visit *moves) {
-    for (int p = 0; p < moves->count; p++) {
-        const struct physics_pass *move = moves->pass[p].pass;
-        if (share_names(pass->writes, move->reads) || share_names(pass->writes, move->writes) ||
-            share_names(pass->reads, move->writes))
-            return false;
-    }
-    return true;
-}
-
-/* True if the passes of a step allow the ring order: those after the visit, and those before the moves, which in this
- * order come after the moves of the step before. */
-static bool ring_fits(const struct physics_set *set, const struct plan_visit *moves) {
-    for (int k = 0; k < set->count; k++)
-        for (int p = 0; p < set->active[k].row->passes; p++) {
-            const struct physics_active *active = &set->active[k];
-            const struct physics_pass *pass = &active->row->pass[p];
-            bool runs = pass->needed == NULL || pass->needed(&active->context);
-            bool visit =
-                pass->place == PASS_MOVE || pass->place == PASS_LOOK ||
-                (pass->place == PASS_PAIRS && active->context.list[0] == set->active[0].context.list[0]);
-            if (runs && !visit && !pass->at_end && !allows_moves(pass, moves))
-                return false;
-        }
-    return true;
-}
-
-static void ring_make(struct step_plan *plan, const struct plan *alone, const struct physics_set *set,
-                      const struct engine_passes *engine, const struct timers *timers,
-                      const struct simulation *simulation) {
-    add_engine(&plan->begin, engine->before_first, timers, simulation);
-    add_place(&plan->begin, NULL, set, timers, PASS_FIRST);
-    add_place(&plan->begin, NULL, set, timers, PASS_MOVE);
-    add_engine(&plan->begin, engine->before_moved, timers, simulation);
-    add_place(&plan->begin, NULL, set, timers, PASS_MOVED);
-    add_engine(&plan->begin, engine->after_moved, timers, simulation);
-    add_engine(&plan->go_on, engine->before_first, timers, simulation);
-    add_place(&plan->go_on, NULL, set, timers, PASS_FIRST);
-    add_engine(&plan->go_on, engine->before_moved, timers, simulation);
-    add_place(&plan->go_on, NULL, set, timers, PASS_MOVED);
-    add_engine(&plan->go_on, engine->after_moved, timers, simulation);
-    add_engine(&plan->exchange, engine->renew, timers, simulation);
-    if (!ring_fits(set, &plan->moves))
-        return;
-    add_engine(&plan->ring, engine->ring, timers, simulation);
-    for (int p = 0; p < alone->passes; p++)
-        add(&plan->ring, &alone->pass[p]);
-    add_place(&plan->ring, NULL, set, timers, PASS_SHARES);
-    add_place(&plan->ring, NULL, set, timers, PASS_CLOSE);
-    add_engine(&plan->ring, engine->after_close, timers, simulation);
-    add_engine(&plan->ring, engine->settle, timers, simulation);
-}
-
 void plan_make(struct step_plan *plan, const struct physics_set *set, const struct engine_passes *engine,
                const struct timers *timers, const struct simulation *simulation) {
-    struct plan alone = {0};
-    *plan = (struct step_plan){0};
-    add_engine(&plan->plain, engine->before_first, timers, simulation);
-    add_place(&plan->plain, NULL, set, timers, PASS_FIRST);
-    add_place(&plan->plain, NULL, set, timers, PASS_MOVE);
-    add_engine(&plan->plain, engine->before_moved, timers, simulation);
-    add_place(&plan->plain, NULL, set, timers, PASS_MOVED);
-    add_engine(&plan->plain, engine->after_moved, timers, simulation);
-    add_engine(&plan->plain, engine->renew, timers, simulation);
-    add_place(&plan->forces, NULL, set, timers, PASS_PAIRS);
-    add_place(&plan->forces, NULL, set, timers, PASS_SHARES);
-    add_engine(&plan->forces, engine->before_close, timers, simulation);
-    add_place(&plan->forces, NULL, set, timers, PASS_CLOSE);
-    add_engine(&plan->forces, engine->after_close, timers, simulation);
-    for (int p = 0; p < plan->forces.passes; p++)
-        add(&plan->plain, &plan->forces.pass[p]);
-
-    add_engine(&plan->fused, engine->before_first, timers, simulation);
-    add_place(&plan->fused, NULL, set, timers, PASS_FIRST);
-    add_engine(&plan->fused, engine->before_moved, timers, simulation);
-    add_place(&plan->fused, NULL, set, timers, PASS_MOVED);
-    plan->moves.speed = set->speed;
-    add_place(&plan->fused, &plan->moves, set, timers, PASS_MOVE);
-    add_place(&alone, &plan->pairs, set, timers, PASS_PAIRS);
-    add_engine(&plan->fused, engine->sweep, timers, simulation);
-    for (int p = 0; p < alone.passes; p++)
-        add(&plan->fused, &alone.pass[p]);
-    add_place(&plan->fused, NULL, set, timers, PASS_SHARES);
-    add_engine(&plan->fused, engine->before_close, timers, simulation);
-    add_place(&plan->fused, NULL, set, timers, PASS_CLOSE);
-    add_engine(&plan->fused, engine->after_close, timers, simulation);
-    ring_make(plan, &alone, set, engine, timers, simulation);
+    const struct plan_source from = {set, timers, simulation};
+    *plan = (struct step_plan){.moves.speed = set->speed};
+    struct plan_visit *const visit[PASS_PLACES] = {[PASS_MOVE] = &plan->moves, [PASS_PAIRS] = &plan->pairs};
+    for (enum pass_place place = PASS_FIRST; place < PASS_LOOK; place++) {
+        add_engine(&plan->plain, &from, engine->before[place]);
+        add_engine(&plan->fused, &from, engine->before[place]);
+        if (place == PASS_PAIRS) {
+            add_engine(&plan->plain, &from, engine->renew);
+            add_engine(&plan->fused, &from, engine->sweep);
+            plan->forces = plan->plain.passes;
+        }
+        add_place(&plan->plain, NULL, &from, place);
+        add_place(&plan->fused, visit[place], &from, place);
+    }
+    add_engine(&plan->plain, &from, engine->before[PASS_LOOK]);
+    add_engine(&plan->fused, &from, engine->before[PASS_LOOK]);
 }
 
 void plan_move(const struct plan_visit *moves, int thread, size_t first, size_t last, int size_class) {
@@ -215,8 +142,8 @@ static void pass_run(const struct plan_pass *entry, struct simulation *simulatio
     }
 }
 
-void plan_run(const struct plan *plan, struct timers *timers, struct simulation *simulation) {
-    for (int p = 0; p < plan->passes; p++) {
+void plan_run(const struct plan *plan, int first, struct timers *timers, struct simulation *simulation) {
+    for (int p = first; p < plan->passes; p++) {
         timer_start(timers, plan->pass[p].timer);
         pass_run(&plan->pass[p], simulation);
         timer_stop(timers, plan->pass[p].timer);
@@ -236,11 +163,9 @@ void plan_print(const struct plan *plan, FILE *file) {
     }
 }
 
-void plan_print_visits(const struct plan_visit *first, const struct plan_visit *second, FILE *file) {
-    const char *separator = "";
-    for (int p = 0; p < first->count + second->count; p++) {
-        const struct plan_pass *pass = p < first->count ? &first->pass[p] : &second->pass[p - first->count];
-        fprintf(file, "%s%s", separator, pass->name);
-        separator = ", ";
-    }
+void plan_print_visits(const struct step_plan *plan, FILE *file) {
+    for (int p = 0; p < plan->moves.count; p++)
+        fprintf(file, "%s%s", p > 0 ? ", " : "", plan->moves.pass[p].name);
+    for (int p = 0; p < plan->pairs.count; p++)
+        fprintf(file, "%s%s", p + plan->moves.count > 0 ? ", " : "", plan->pairs.pass[p].name);
 }

@@ -2,17 +2,12 @@
 /* The plan of a step: the passes of all active physics and of the engine itself, merged into one list that
  * runs from top to bottom and that `scree check` prints.
  *
- * Three orders are made from the same passes. The plain one runs pass after pass, place by place (physics.h).
+ * Two orders are made from the same passes. The plain one runs pass after pass, place by place (physics.h).
  * In the fused one the passes by rows that move particles, and the passes by block that follow them, share
  * one visit to each block: the particles of a block move just before the first pair that reads them, while
- * the particles are in the cache (kernel/pairs/sweep.h). A pass by block joins the visit if the pass walks over the
+ * the particles are in the cache (fused.h). A pass by block joins the visit if the pass walks over the
  * list of the sweep, which is the list of grains. Other passes run by themselves, after the copies have
- * arrived.
- *
- * In the ring order (kernel/pairs/ring.h) a step begins with particles that have moved already, and moves them on after
- * their last pair: forces never reach the memory, and are gone when the step ends. That is the order for steps after which
- * nobody looks. A scene has this order if no pass outside of the visit, other than those `at_end`, reads what
- * moves change or changes what moves read: the fields that passes declare tell. */
+ * arrived. Both orders give the same bits. */
 #ifndef SCREE_ENGINE_PLAN_H
 #define SCREE_ENGINE_PLAN_H
 
@@ -56,26 +51,20 @@ struct plan_visit {
     struct plan_pass pass[PLAN_PASSES_MAX];
 };
 
-/* The orders, and the passes of their visits. */
+/* The orders, and the passes of the visits of the fused one. */
 struct step_plan {
-    struct plan plain, fused, forces; /* forces: the plain one from PASS_PAIRS on */
-    /* The ring order: up to the decision on a rebuild, from particles that have to move, and from those that have
-     * moved; new values for copies; the rest, without passes if the scene does not have this order. */
-    struct plan begin, go_on, exchange, ring;
+    struct plan plain, fused;
+    int forces;                     /* the first pass of the plain order at PASS_PAIRS */
     struct plan_visit moves, pairs; /* by rows; by block, on the list of the sweep */
 };
 
 /* The engine's own passes between those of the physics; lists end with a NULL run. */
 struct engine_passes {
-    const struct engine_pass *before_first; /* all orders: before PASS_FIRST */
-    const struct engine_pass *before_moved; /* all orders: before PASS_MOVED */
-    const struct engine_pass *after_moved;  /* plain and ring */
-    const struct engine_pass *renew;        /* plain and ring: then */
-    const struct engine_pass *before_close; /* plain and fused: before PASS_CLOSE */
-    const struct engine_pass *after_close;  /* all orders */
+    const struct engine_pass
+        *before[PASS_PLACES];        /* the passes of a place; of PASS_LOOK: at the end of a step */
+    const struct engine_pass *renew; /* plain: before PASS_PAIRS */
     const struct engine_pass
         *sweep; /* fused: from the first move to the last sum over pairs of the sweep's list */
-    const struct engine_pass *ring, *settle; /* ring: the sums over pairs of the sweep's list; at the end */
 };
 
 /* Makes the plan; once a run, before the first step, after the stages have been registered with
@@ -83,8 +72,8 @@ struct engine_passes {
 void plan_make(struct step_plan *plan, const struct physics_set *set, const struct engine_passes *engine,
                const struct timers *timers, const struct simulation *simulation);
 
-/* Runs all passes, each under its timer. */
-void plan_run(const struct plan *plan, struct timers *timers, struct simulation *simulation);
+/* Runs the passes from number `first` on, each under its timer. */
+void plan_run(const struct plan *plan, int first, struct timers *timers, struct simulation *simulation);
 
 /* plan_move moves the particles [first, last) of a class; plan_block computes one block of pairs. Many
  * threads at once. */
@@ -102,7 +91,7 @@ void plan_abandon(const struct plan_visit *pairs);
 /* Prints a line for each pass: name, reason, fields read and written. */
 void plan_print(const struct plan *plan, FILE *file);
 
-/* Prints the passes of a visit, and of a second one, in one line: "advance, contact". */
-void plan_print_visits(const struct plan_visit *first, const struct plan_visit *second, FILE *file);
+/* Prints the names of the passes of the visits, in one line: "advance, contact". */
+void plan_print_visits(const struct step_plan *plan, FILE *file);
 
 #endif

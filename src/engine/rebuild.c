@@ -14,7 +14,6 @@
 #include "engine/stay.h"
 #include "engine/guards.h"
 #include "engine/load_balance.h"
-#include "engine/order_plan.h"
 #include "base/memory.h"
 #include "kernel/particles/kinds.h"
 #include <math.h>
@@ -131,11 +130,6 @@ static void used_pass(struct simulation *s, struct rebuild_rows *rows) {
     memory_free(used);
 }
 
-static void plan_pass(struct simulation *s, struct rebuild_rows *rows) {
-    (void)rows;
-    order_agree(s);
-}
-
 /* Sets size classes: particles that have arrived have none, and after a new choice of classes the classes of
  * all particles change. */
 static void classify(struct simulation *s, struct rebuild_rows *rows) {
@@ -175,7 +169,7 @@ static void balance(struct simulation *s, struct rebuild_rows *rows) {
 
 static void detach(struct simulation *s, struct rebuild_rows *rows) {
     bool given = s->sources.given.added > 0 || s->sources.given.taken > 0;
-    bool none_lost = !given && !sources_due(s) && !simulation_may_lose(s);
+    bool none_lost = !given && !sources_due(s) && !box_may_lose(&s->box);
     bool keeps = s->search.history && none_lost && one_image(s);
     if (!keeps)
         rebuild_detach(s, !s->ranks.alone, rows);
@@ -199,7 +193,7 @@ static void wrap(struct simulation *s, struct rebuild_rows *rows) {
     struct box box;
     ghosts_drop(s->ranks.ghosts, s->particles);
     if (s->box.motion.moves)
-        deform_settle(s);
+        deform_settle(&s->box, s->ranks.domain);
     box = s->box;
     for (int d = 0; d < 3 && rows->stays; d++)
         box.periodic[d] = box.periodic[d] && s->ranks.wrap[d];
@@ -229,7 +223,8 @@ static void search_release(struct simulation *s) {
 static void tell_physics(struct simulation *s, struct rebuild_rows *rows) {
     rows->again = physics_rebuilt(&s->physics, s->ranks.alone ? NULL : s->ranks.ghosts);
     s->classes_stale = s->classes_stale || rows->again;
-    order_forget(s);
+    if (s->search.sweep)
+        s->search.sweep->stale = true;
     if (!rows->again && physics_rests(&s->physics))
         search_release(s);
 }
@@ -248,10 +243,6 @@ static bool many_with_history(const struct simulation *s, const struct rebuild_r
 }
 static bool many_that_keep(const struct simulation *s, const struct rebuild_rows *rows) {
     return !s->ranks.alone && (rows == NULL || rows->keep);
-}
-static bool order_agrees(const struct simulation *s, const struct rebuild_rows *rows) {
-    (void)rows;
-    return order_needs_agreement(s);
 }
 static bool with_obstacles(const struct simulation *s, const struct rebuild_rows *rows) {
     (void)rows;
@@ -297,7 +288,6 @@ static const struct rebuild_pass passes[] = {
     {"walls", "walls", "wall", with_obstacles, obstacles_pass},
     {"attach", NULL, "history", NULL, attach},
     {"physics", NULL, "pairs", NULL, tell_physics},
-    {"plan", "several ranks, ring order", "pairs", order_agrees, plan_pass},
 };
 enum { REBUILD_PASSES = sizeof passes / sizeof passes[0], REBUILD_CARRY = 5 };
 

@@ -38,7 +38,8 @@ static void numbers_list(struct simulation *s, struct resume_numbers *own, struc
     restart_add(restart, RESTART_SUM, true, &s->sources.deleted_mass, "deleted mass");
     crossings_restart(s, restart);
     physics_restart(&s->physics, restart);
-    deform_restart(s, restart);
+    if (s->box.motion.moves)
+        deform_restart(&s->box, &s->servo, restart);
     skin_auto_restart(s, restart);
     restart_add(restart, RESTART_SUM, false, &own->load_fresh, "load: imbalance not measured");
     restart_add(restart, RESTART_SUM, false, &own->load_reached, "load: imbalance reached");
@@ -159,7 +160,10 @@ static bool take(struct simulation *s, const char *path, struct checkpoint_loade
     struct resume_numbers own = {0};
     if (!numbers_take(s, path, loaded, &own, error))
         return false;
-    deform_resume(s, deform_moved(&loaded->restart));
+    if (s->box.motion.moves)
+        domain_follow(s->ranks.domain, &s->box);
+    if (!deform_moved(&loaded->restart))
+        deform_start(&s->box, s->scene, s->particles);
     s->total = loaded->total;
     resume_apply(s, loaded);
     s->lineage = loaded->lineage;

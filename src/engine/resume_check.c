@@ -18,7 +18,7 @@ static const double same_density = 1e-9;
 static bool check_box(const struct simulation *s, const char *path, const struct checkpoint_loaded *loaded,
                       struct error *error) {
     const struct box *now = &s->box, *then = &loaded->box;
-    if (!deform_check(s, &loaded->restart, path, error))
+    if (!deform_check(&s->box, &loaded->restart, path, error))
         return false;
     if (now->dimension != then->dimension)
         return error_set(error, ERROR_USER,

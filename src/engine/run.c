@@ -142,7 +142,7 @@ static bool step_once(struct run *run, struct error *error) {
     checked_step(s,
                  (watched && !watch->without_sums) || (looked && run_stages_need_sums(&run->stages)) ||
                      (run->outputs && outputs_want_sums(run->outputs, s, s->clock.step + 1)),
-                 checkpoint, !seen);
+                 checkpoint, seen);
     if (s->clock.dt != dt) /* a shortened time step needs more steps to the end */
         run->last = run_last_step(s);
     crowd_tell(run);

@@ -101,7 +101,7 @@ static const char *insertion_name(const struct report_source *of, int k, char *b
     return name[0] ? name : buffer;
 }
 
-COUNT(insertion_asked, sources_asked(of->s, k))
+COUNT(insertion_asked, sources_asked(&of->s->sources, &of->s->clock, k))
 COUNT(insertion_placed, of->s->sources.state[k].placed)
 COUNT(insertion_lost, of->s->sources.lost[k])
 

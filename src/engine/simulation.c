@@ -25,7 +25,8 @@ static bool mine(void *context, const double x[3]) {
 }
 
 static bool taken(void *context, const double x[3], double radius) {
-    return simulation_occupied(context, x, radius);
+    const struct simulation *s = context;
+    return physics_occupied(&s->physics, x, radius);
 }
 
 /* Adds particles of other kinds than grains. */
@@ -58,7 +59,7 @@ static bool particles_make(struct simulation *s, struct error *error) {
         return false;
     s->total = s->sources.census.particles;
     s->sources.next_id = s->sources.census.id_max + 1;
-    deform_start(s);
+    deform_start(&s->box, s->scene, s->particles);
     return particles_fill(s, error);
 }
 
@@ -73,6 +74,8 @@ static bool run_begin(struct simulation *s, struct error *error) {
     step_forces(s);
     if (mover->row->mover->begin)
         mover->row->mover->begin(&mover->context);
+    if (mover->row->mover->stagger)
+        mover->row->mover->stagger(&mover->context, s->clock.dt);
     return true;
 }
 
@@ -160,9 +163,8 @@ void simulation_destroy(struct simulation **simulation) {
     if (s == NULL)
         return;
     team_end(&s->team);
-    deform_free(s);
+    deform_free(&s->servo);
     sweep_destroy(&s->search.sweep);
-    ring_destroy(&s->order.ring);
     skin_destroy(&s->search.skin);
     physics_free(&s->physics);
     interactions_free(&s->search.interactions);
@@ -170,7 +172,7 @@ void simulation_destroy(struct simulation **simulation) {
     ghosts_destroy(&s->ranks.ghosts);
     domain_destroy(&s->ranks.domain);
     particles_destroy(&s->particles);
-    sources_free(s);
+    sources_free(&s->sources);
     scene_changes_free(&s->resumed.changes);
     lineage_free(&s->lineage);
     memory_free(s->search.speed);

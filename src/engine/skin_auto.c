@@ -66,7 +66,8 @@ double skin_auto_most(const struct simulation *s) {
 
 static struct skin_counts counts_take(struct simulation *s, const struct skin_choice *choice) {
     bool known = s->search.skin->moves > 1; /* else a run that resumes has no contacts yet */
-    int64_t sides[2] = {pairlist_sides(s->search.interactions.all), known ? simulation_contact_sides(s) : 0};
+    int64_t sides[2] = {pairlist_sides(s->search.interactions.all),
+                        known ? physics_contact_sides(&s->physics) : 0};
     comm_sum_int(s->comm, sides, 2);
     return (struct skin_counts){.particles = (double)s->total,
                                 .pairs = (double)sides[0] / 2,

@@ -22,8 +22,8 @@ enum { SOURCES_EVERY = 100 };
 
 /* Checks that an insertion region can hold its largest sphere: a sphere that does not fit would block all
  * later spheres for ever. */
-static bool insertion_fits(const struct simulation *s, int k, struct error *error) {
-    const struct insertion *insertion = &s->sources.insertion[k];
+static bool insertion_fits(const struct scene *scene, const struct insertion *insertion, int k,
+                           struct error *error) {
     char key[64], place[SCENE_PATH_MAX];
     double smallest, largest, room = region_inradius(&insertion->options.region, &insertion->space);
     sizes_bounds(&insertion->options.sizes, &smallest, &largest);
@@ -33,7 +33,7 @@ static bool insertion_fits(const struct simulation *s, int k, struct error *erro
     return error_set(
         error, ERROR_USER,
         "%s: %s: the largest diameter, %.6g, does not fit into the region, which holds up to %.6g",
-        scene_place(s->scene, key, place, sizeof place), key, 2 * largest, 2 * room);
+        scene_place(scene, key, place, sizeof place), key, 2 * largest, 2 * room);
 }
 
 bool sources_prepare(struct simulation *s, struct error *error) {
@@ -49,46 +49,44 @@ bool sources_prepare(struct simulation *s, struct error *error) {
             density = scene->material[options->material].density;
         if (!insertion_prepare(&s->sources.insertion[k], options, k, density, scene->seed, &scene->box,
                                error) ||
-            !insertion_fits(s, k, error))
+            !insertion_fits(scene, &s->sources.insertion[k], k, error))
             return false;
     }
     return true;
 }
 
-static uint64_t insertion_missing(const struct simulation *s, int k) {
-    uint64_t due = insertion_due(&s->sources.insertion[k], s->clock.time),
-             placed = s->sources.state[k].placed;
+static uint64_t insertion_missing(const struct sources *sources, const struct clock *clock, int k) {
+    uint64_t due = insertion_due(&sources->insertion[k], clock->time), placed = sources->state[k].placed;
     return due > placed ? due - placed : 0;
 }
 
-uint64_t sources_asked(const struct simulation *s, int k) {
-    uint64_t looked = s->clock.step - s->clock.step % SOURCES_EVERY;
-    double since = (double)looked - (double)s->clock.step_base;
-    return insertion_due(&s->sources.insertion[k], s->clock.time_base + since * s->clock.dt);
+uint64_t sources_asked(const struct sources *sources, const struct clock *clock, int k) {
+    uint64_t looked = clock->step - clock->step % SOURCES_EVERY;
+    double since = (double)looked - (double)clock->step_base;
+    return insertion_due(&sources->insertion[k], clock->time_base + since * clock->dt);
 }
 
 static bool insertions_due(const struct simulation *s) {
     if (s->clock.step % SOURCES_EVERY != 0)
         return false;
     for (int k = 0; k < s->scene->insertions; k++)
-        if (insertion_missing(s, k) > 0)
+        if (insertion_missing(&s->sources, &s->clock, k) > 0)
             return true;
     return false;
 }
 
-static bool deletions_due(const struct simulation *s) {
-    for (int k = 0; k < s->scene->deletions; k++)
-        if (deletion_due(&s->scene->deletion[k], s->clock.time, (int64_t)s->clock.step))
+static bool deletions_due(const struct scene *scene, const struct clock *clock) {
+    for (int k = 0; k < scene->deletions; k++)
+        if (deletion_due(&scene->deletion[k], clock->time, (int64_t)clock->step))
             return true;
     return false;
 }
 
 bool sources_due(const struct simulation *s) {
-    return insertions_due(s) || deletions_due(s);
+    return insertions_due(s) || deletions_due(s->scene, &s->clock);
 }
 
-void sources_give(struct simulation *s, const struct insertion_candidate *candidate) {
-    struct given *given = &s->sources.given;
+void sources_give(struct given *given, const struct insertion_candidate *candidate) {
     if (given->added == given->added_room) {
         given->added_room = given->added_room ? 2 * given->added_room : 16;
         given->add = memory_resize(given->add, given->added_room, sizeof *given->add, "particles to add");
@@ -96,8 +94,7 @@ void sources_give(struct simulation *s, const struct insertion_candidate *candid
     given->add[given->added++] = *candidate;
 }
 
-void sources_take(struct simulation *s, int64_t id) {
-    struct given *given = &s->sources.given;
+void sources_take(struct given *given, int64_t id) {
     if (given->taken == given->taken_room) {
         given->taken_room = given->taken_room ? 2 * given->taken_room : 16;
         given->take =
@@ -106,12 +103,12 @@ void sources_take(struct simulation *s, int64_t id) {
     given->take[given->taken++] = id;
 }
 
-void sources_free(struct simulation *s) {
-    memory_free(s->sources.given.add);
-    memory_free(s->sources.given.take);
-    memory_free(s->sources.insertion);
-    memory_free(s->sources.state);
-    memory_free(s->sources.lost);
+void sources_free(struct sources *sources) {
+    memory_free(sources->given.add);
+    memory_free(sources->given.take);
+    memory_free(sources->insertion);
+    memory_free(sources->state);
+    memory_free(sources->lost);
 }
 
 static int ids_compare(const void *a, const void *b) {
@@ -124,10 +121,10 @@ static bool is_taken(const struct given *given, int64_t id) {
     return given->taken > 0 && bsearch(&id, given->take, given->taken, sizeof id, ids_compare) != NULL;
 }
 
-static bool sides_matter(const struct simulation *s) {
+static bool sides_matter(const struct box *box) {
     for (int d = 0; d < 3; d++)
         for (int side = 0; side < 2; side++)
-            if (!s->box.periodic[d] && s->box.leave[d][side] != BOX_KEEP)
+            if (!box->periodic[d] && box->leave[d][side] != BOX_KEEP)
                 return true;
     return false;
 }
@@ -145,38 +142,33 @@ static int side_left(const struct box *box, const double x[3], enum box_leave *l
     return -1;
 }
 
-static void leave_error(struct simulation *s, size_t k, int side) {
-    const struct particle_state *p = &s->particles->state[k];
-    const struct box *box = &s->box;
-    error_set(&s->error, ERROR_PHYSICS,
+static void leave_error(const struct particles *particles, size_t k, const struct box *box, int side,
+                        double time, struct error *error) {
+    const struct particle_state *p = &particles->state[k];
+    error_set(error, ERROR_PHYSICS,
               "particle %lld left the box through its %s %c side at (%.6g, %.6g, %.6g), t = %.9g (box.leave: "
               "error)",
-              (long long)s->particles->id[k], side % 2 ? "upper" : "lower", 'x' + side / 2,
-              p->x[0] + box->origin[0], p->x[1] + box->origin[1], p->x[2] + box->origin[2], s->clock.time);
+              (long long)particles->id[k], side % 2 ? "upper" : "lower", 'x' + side / 2,
+              p->x[0] + box->origin[0], p->x[1] + box->origin[1], p->x[2] + box->origin[2], time);
 }
 
 /* True if the particle is in a deletion region that is active now. */
-static bool deleted_by_region(const struct simulation *s, const double x[3]) {
-    const struct box *box = &s->box;
+static bool deleted_by_region(const struct scene *scene, const struct box *box, const struct clock *clock,
+                              const double x[3]) {
     double user[3] = {x[0] + box->origin[0], x[1] + box->origin[1], x[2] + box->origin[2]};
     struct region_space space = {.dimension = box->dimension, .plane = user[2]};
-    for (int k = 0; k < s->scene->deletions; k++) {
-        const struct deletion_options *deletion = &s->scene->deletion[k];
-        if (deletion_due(deletion, s->clock.time, (int64_t)s->clock.step) &&
+    for (int k = 0; k < scene->deletions; k++) {
+        const struct deletion_options *deletion = &scene->deletion[k];
+        if (deletion_due(deletion, clock->time, (int64_t)clock->step) &&
             region_contains(&deletion->region, &space, user, 0))
             return true;
     }
     return false;
 }
 
-static void account_removed(struct simulation *s, size_t k) {
-    s->sources.deleted_mass += groups_mass(s->particles, k);
-    crossings_account(s, k, 1);
-}
-
 static size_t remove_run(struct simulation *s, struct rebuild_rows *rows) {
     struct particles *particles = s->particles;
-    bool regions = deletions_due(s);
+    bool regions = deletions_due(s->scene, &s->clock);
     size_t marked = 0, owned = particles->owned;
     uint8_t *remove = memory_allocate_zero(owned, 1, "particles to remove");
     const uint8_t *kind = kinds_of(particles);
@@ -186,12 +178,15 @@ static size_t remove_run(struct simulation *s, struct rebuild_rows *rows) {
             continue;
         int side = side_left(&s->box, particles->state[k].x, &leave);
         if (leave == BOX_ERROR)
-            leave_error(s, k, side);
-        remove[k] = leave == BOX_DELETE || (regions && deleted_by_region(s, particles->state[k].x)) ||
+            leave_error(particles, k, &s->box, side, s->clock.time, &s->error);
+        remove[k] = leave == BOX_DELETE ||
+                    (regions && deleted_by_region(s->scene, &s->box, &s->clock, particles->state[k].x)) ||
                     is_taken(&s->sources.given, particles->id[k]);
         marked += remove[k];
-        if (remove[k])
-            account_removed(s, k);
+        if (remove[k]) {
+            s->sources.deleted_mass += groups_mass(particles, k);
+            crossings_account(s, k, 1);
+        }
     }
     if (marked > 0) {
         struct history_rows *list[REBUILD_SETS];
@@ -204,9 +199,9 @@ static size_t remove_run(struct simulation *s, struct rebuild_rows *rows) {
 }
 
 /* The owned particles that candidates of a region may touch. */
-static struct placegrid *particles_near(const struct simulation *s, const struct insertion *insertion,
+static struct placegrid *particles_near(const struct particles *particles, const struct box *box,
+                                        const struct insertion *insertion,
                                         const struct insertion_candidate *candidate, size_t n) {
-    const struct particles *particles = s->particles;
     double largest = 0, smallest = INFINITY;
     for (size_t k = 0; k < n; k++)
         largest = fmax(largest, candidate[k].radius);
@@ -218,7 +213,7 @@ static struct placegrid *particles_near(const struct simulation *s, const struct
         if (near[k])
             smallest = fmin(smallest, p->radius);
     }
-    struct placegrid *grid = placegrid_create(&s->box, isfinite(smallest) ? smallest : 1);
+    struct placegrid *grid = placegrid_create(box, isfinite(smallest) ? smallest : 1);
     for (size_t k = 0; k < particles->owned; k++)
         if (near[k])
             placegrid_add(grid, particles->state[k].x, particles->state[k].radius);
@@ -227,19 +222,20 @@ static struct placegrid *particles_near(const struct simulation *s, const struct
 }
 
 /* Marks the candidates that touch a wall or a particle of any rank. */
-static void candidates_block(const struct simulation *s, const struct placegrid *grid,
-                             const struct insertion_candidate *candidate, uint8_t *blocked, size_t n) {
+static void candidates_block(const struct physics_set *set, const struct comm *comm,
+                             const struct placegrid *grid, const struct insertion_candidate *candidate,
+                             uint8_t *blocked, size_t n) {
 #pragma omp parallel for schedule(dynamic, 4)
     for (size_t k = 0; k < n; k++)
         if (!candidate[k].settled && !blocked[k])
-            blocked[k] = simulation_occupied(s, candidate[k].x, candidate[k].radius) ||
+            blocked[k] = physics_occupied(set, candidate[k].x, candidate[k].radius) ||
                          placegrid_touches(grid, candidate[k].x, candidate[k].radius);
-    if (s->ranks.alone)
+    if (comm->size == 1)
         return;
     int64_t *all = memory_allocate(n, sizeof *all, "blocked places");
     for (size_t k = 0; k < n; k++)
         all[k] = blocked[k];
-    comm_max_int(s->comm, all, (int)n);
+    comm_max_int(comm, all, (int)n);
     for (size_t k = 0; k < n; k++)
         blocked[k] = all[k] != 0;
     memory_free(all);
@@ -278,16 +274,16 @@ static void candidate_append(struct simulation *s, const struct insertion_candid
 static void insertion_run(struct simulation *s, int number) {
     struct insertion *insertion = &s->sources.insertion[number];
     struct insertion_state *state = &s->sources.state[number];
-    uint64_t missing = insertion_missing(s, number);
+    uint64_t missing = insertion_missing(&s->sources, &s->clock, number);
     size_t n = missing > INSERTION_BATCH_MAX ? INSERTION_BATCH_MAX : (size_t)missing;
     struct insertion_candidate *candidate = memory_allocate_zero(n, sizeof *candidate, "insertion");
     uint8_t *blocked = memory_allocate_zero(n, 1, "insertion");
     insertion_begin(insertion, state, candidate, n);
-    struct placegrid *grid = particles_near(s, insertion, candidate, n);
+    struct placegrid *grid = particles_near(s->particles, &s->box, insertion, candidate, n);
     size_t left = n;
     for (int64_t round = 0; round < insertion->options.attempts && left > 0; round++) {
         insertion_propose(insertion, state, candidate, blocked, n);
-        candidates_block(s, grid, candidate, blocked, n);
+        candidates_block(&s->physics, s->comm, grid, candidate, blocked, n);
         left = insertion_settle(insertion, candidate, blocked, n);
     }
     s->sources.inserted += insertion_end(insertion, state, candidate, n);
@@ -305,7 +301,8 @@ static void insertion_run(struct simulation *s, int number) {
 
 void sources_run(struct simulation *s, struct rebuild_rows *rows) {
     struct given *given = &s->sources.given;
-    bool deletes = sides_matter(s) || deletions_due(s) || given->taken > 0, inserts = insertions_due(s);
+    bool deletes = sides_matter(&s->box) || deletions_due(s->scene, &s->clock) || given->taken > 0,
+         inserts = insertions_due(s);
     if ((!deletes && !inserts && given->added == 0) || s->sources.last_step == s->clock.step)
         return;
     s->sources.last_step = s->clock.step;
@@ -315,7 +312,7 @@ void sources_run(struct simulation *s, struct rebuild_rows *rows) {
     size_t before = s->particles->owned;
     uint64_t inserted_before = s->sources.inserted;
     for (int k = 0; inserts && k < s->scene->insertions; k++)
-        if (insertion_missing(s, k) > 0)
+        if (insertion_missing(&s->sources, &s->clock, k) > 0)
             insertion_run(s, k);
     for (size_t k = 0; k < given->added; k++)
         candidate_append(s, &given->add[k]);

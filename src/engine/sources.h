@@ -17,12 +17,12 @@ bool sources_prepare(struct simulation *simulation, struct error *error);
 
 /* Adds a particle at the next rebuild; positions are box-relative, inside the box. Deletes the particle `id` at the
  * next rebuild. The same on all ranks. */
-void sources_give(struct simulation *simulation, const struct insertion_candidate *candidate);
-void sources_take(struct simulation *simulation, int64_t id);
-void sources_free(struct simulation *simulation);
+void sources_give(struct given *given, const struct insertion_candidate *candidate);
+void sources_take(struct given *given, int64_t id);
+void sources_free(struct sources *sources);
 
 /* The number of particles that insertion region `k` should have placed from the start of the run to the last
  * check of the region. */
-uint64_t sources_asked(const struct simulation *simulation, int k);
+uint64_t sources_asked(const struct sources *sources, const struct clock *clock, int k);
 
 #endif

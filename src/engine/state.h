@@ -11,7 +11,6 @@
 #include "data/formats/output.h"
 #include "kernel/pairs/skin.h"
 #include "kernel/pairs/skin_choice.h"
-#include "kernel/pairs/ring.h"
 #include "kernel/pairs/sweep.h"
 #include "data/scene/compare.h"
 #include "data/scene/scene_particles.h"
@@ -56,7 +55,7 @@ struct timing {
 
 /* Edges and shear of the box that follow the stress (deform.c). */
 struct box_servo {
-    bool on;
+    bool on, shears;                    /* the shear follows it, too */
     double mass;                        /* of all particles */
     double bound;                       /* largest rate of an edge, 1/time, for a target of 1 */
     double drift;                       /* the part of the rate of the shear that adds up, 1/time */
@@ -79,17 +78,6 @@ struct search {
     struct skin *skin;
     struct skin_choice choice; /* of the skin, with `skin: auto`; skin_auto.h */
     struct sweep *sweep;       /* the plan of the fused order; NULL: the scene wants only the plain order */
-};
-
-/* The order of a step (order.h). */
-enum order_kind { ORDER_PLAIN, ORDER_FUSED, ORDER_RING };
-struct order {
-    enum order_kind kind; /* of the step in progress */
-    bool unseen;          /* before the next step nobody looks at the particles */
-    bool ahead;           /* positions and velocities are those of the next step already */
-    struct ring *ring;    /* the plan of the ring order; NULL: the scene does not have it */
-    bool agreed;          /* several ranks: all have such a plan since the last rebuild */
-    bool before;          /* several ranks: the step before may have ended in ring order on some of them */
 };
 
 /* The division among ranks, and this rank's copies. */
@@ -178,7 +166,6 @@ struct simulation {
     bool classes_stale; /* radii may have changed: the next rebuild chooses classes again */
     uint64_t total;     /* particles on all ranks */
     struct clock clock;
-    struct order order;
     struct stage_place stage;
     struct output_crossing crossings[OUTPUT_PLANES_MAX]; /* crossings.h */
     struct timing timing;

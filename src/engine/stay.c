@@ -11,7 +11,7 @@ static bool may_stay(struct simulation *s) {
     struct index_view view;
     bool simple = s->physics.count == 1 && !s->caller.force && !s->scene->reproducible &&
                   !s->sources.given.added && !s->sources.given.taken && !sources_due(s) &&
-                  !simulation_may_lose(s);
+                  !box_may_lose(&s->box);
     if (s->search.sorts || s->classes_stale || s->box.motion.moves ||
         s->search.revision != s->particles->revision || !(s->ranks.alone || simple))
         return false;

@@ -17,12 +17,11 @@
  * A box that moves adds the passes flow, box and stress. The passes of grains stand in physics/grains/grains_physics.c, the
  * engine's own below.
  *
- * The other orders stand in order.h; all give the same bits. A step that nobody looks at has the ring order, if the scene has
- * it; else a step is fused, unless a rebuild is due or to be expected; else plain (order_choose). The lists of passes are made
- * once from the scene, without passes that the scene does not need.
+ * The other order stands in fused.h, and gives the same bits: a step is fused unless a rebuild is due or to be expected. The
+ * lists of passes are made once from the scene, without passes that the scene does not need.
  */
 #include "engine/step.h"
-#include "engine/order.h"
+#include "engine/fused.h"
 #include "engine/decide.h"
 #include "engine/values.h"
 #include "engine/deform.h"
@@ -31,6 +30,7 @@
 #include "engine/stages.h"
 #include "engine/sources.h"
 #include "engine/rebuild.h"
+#include <string.h>
 
 static void exchange_run(struct simulation *s) {
     if (s->agree.signals.rebuild) {
@@ -66,8 +66,8 @@ static const struct engine_pass before_first[] = {{"flow", "a box that moves", "
                                 before_moved[] = {
                                     {"box", "a box that moves", "advance", needs_box, deform_advance}, {0}};
 
-static const struct engine_pass after_moved[] = {{"decide", NULL, "decide", NULL, decide_run}, {0}},
-                                renew[] = {{"exchange", NULL, "comm", NULL, exchange_run}, {0}};
+static const struct engine_pass renew[] = {
+    {"decide", NULL, "decide", NULL, decide_run}, {"exchange", NULL, "comm", NULL, exchange_run}, {0}};
 
 static void caller_run(struct simulation *s) {
     s->caller.force(s->caller.context, s);
@@ -86,39 +86,40 @@ static const struct engine_pass after_close[] = {
     {0}};
 
 void step_plan(struct simulation *s) {
-    static const struct engine_passes own = {.before_first = before_first,
-                                             .before_moved = before_moved,
-                                             .after_moved = after_moved,
+    static const struct engine_passes own = {.before = {[PASS_FIRST] = before_first,
+                                                        [PASS_MOVED] = before_moved,
+                                                        [PASS_CLOSE] = before_close,
+                                                        [PASS_LOOK] = after_close},
                                              .renew = renew,
-                                             .before_close = before_close,
-                                             .after_close = after_close,
-                                             .sweep = order_sweep,
-                                             .ring = order_ring,
-                                             .settle = order_settle};
+                                             .sweep = fused_sweep};
     const struct physics *physics[PHYSICS_ALL];
     for (int k = 0; k < s->physics.count; k++)
         physics[k] = s->physics.active[k].row;
     stages_register(&s->timers, physics, s->physics.count);
     plan_make(&s->plan, &s->physics, &own, &s->timers, s);
-    order_make(s);
 }
 
 void step_plan_print(const struct simulation *s, FILE *file) {
-    order_print(s, file);
+    if (s->scene->step.fused) {
+        fprintf(file, " fused; sweep: ");
+        plan_print_visits(&s->plan, file);
+        fprintf(file, "\n");
+        plan_print(&s->plan.fused, file);
+        fprintf(file, " at rebuilds:\n");
+    }
     plan_print(&s->plan.plain, file);
     fprintf(file, "\npasses of a rebuild\n");
     rebuild_print(s, file);
 }
 
-void step_run(struct simulation *s, bool rebuild, bool unseen) {
+void step_run(struct simulation *s, bool rebuild) {
     s->clock.step++;
     s->clock.time = s->clock.time_base + (double)(s->clock.step - s->clock.step_base) * s->clock.dt;
     s->agree.signals.rebuild = rebuild || sources_due(s) || physics_due(&s->physics) || skin_auto_due(s);
     physics_prepare(&s->physics);
-    order_choose(s, unseen);
-    order_run(s);
-    if (order_finish(s))
-        guards_check(s);
+    memset(s->search.speed, 0, (size_t)s->threads * sizeof *s->search.speed);
+    plan_run(fused_due(s) ? &s->plan.fused : &s->plan.plain, 0, &s->timers, s);
+    guards_check(s);
     team_step(&s->team, s->timers.since, timer_sum(&s->timers, TIMER_WORK, TIMER_REBUILD));
 }
 
@@ -127,7 +128,7 @@ void step_forces(struct simulation *s) {
     s->evaluation.dt = 0;
     physics_prepare(&s->physics);
     s->particles->force_clear = false;
-    plan_run(&s->plan.forces, &s->timers, s);
+    plan_run(&s->plan.plain, s->plan.forces, &s->timers, s);
     guards_check(s);
     s->evaluation.dt = dt;
     physics_prepare(&s->physics);

@@ -9,11 +9,8 @@
 void step_plan(struct simulation *simulation);
 void step_plan_print(const struct simulation *simulation, FILE *file);
 
-/* One step: advance, rebuild or exchange, forces. `rebuild` forces a rebuild. `unseen`: before the next step nobody looks at
- * particles, forces and the sums of contacts but the largest overlap, and nobody changes the length of the step; then the
- * step may leave the particles `ahead`: moved on into the next step, without forces. Of several ranks some may.
- * Collective. */
-void step_run(struct simulation *simulation, bool rebuild, bool unseen);
+/* One step: advance, rebuild or exchange, forces. `rebuild` forces a rebuild. Collective. */
+void step_run(struct simulation *simulation, bool rebuild);
 
 /* Computes forces at the present positions without advancing, for the start of a run. The history stays.
  * Collective. */

@@ -115,8 +115,8 @@ void timing_look(struct simulation *s) {
     if (s->clock.dt_fraction > 0) {
         const struct physics_active *mover = s->physics.mover;
         dt_change(s, fmin(s->clock.dt_fraction, LOOK_PART) * stable);
-        if (mover->row->mover->shift) /* to half a new step back */
-            mover->row->mover->shift(&mover->context, s->clock.dt - before);
+        if (mover->row->mover->stagger) /* to half a new step back */
+            mover->row->mover->stagger(&mover->context, s->clock.dt - before);
         if (s->comm->rank == 0)
             log_tell(&s->caller.log,
                      "note: contacts have become stiffer: the time step is %.4g from step %llu on, "

@@ -232,4 +232,24 @@ ablates() { "$scree" ablate bed.yaml -o ablated --error --only stiffness >said 2
 check 'ablate does not soften rigid grains, nor change an integrator that only springs feel' ablates
 soft() { "$scree" check bed.yaml --set contact.solver.kappa=1e-3 >said 2>&1; holds said 'NOTE: contact.solver.kappa: news travels' && holds said 'NOTE: contact.solver.kappa: the heaviest grain'; }
 check 'check says that a medium is too soft' soft
+cat >impact.yaml <<'YAML'
+units: none
+box: {lower: [0, 0, 0], upper: [4, 4, 4], periodic: [true, true, false]}
+materials: [{name: a, density: 1}]
+material_pairs: [{restitution: 0.5, friction: 0.3}]
+contact: {law: rigid, solver: {}}
+walls: [{name: floor, shape: plane, point: [0, 0, 0], normal: [0, 0, 1]}]
+particles: {from: single, position: [2, 2, 0.5351], radius: 0.5, velocity: [0, 0, -1]}
+step: {dt: 0.01, count: 10}
+observables: {every: 1, list: [{name: velocity, id: 1}, {name: position, id: 1}]}
+YAML
+# rows show the central difference of positions: -1 before, -0.25 in the step of the impact, 0.5 after
+differences() {
+    run_scene 1 impact.yaml impact || return 1
+    awk -F, 'NR == 1 { for (k = 1; k <= NF; k++) at[$k] = k; next }
+        { z[NR] = $at["particle1_z[1]"]; v[NR] = $at["particle1_vz[1]"] }
+        END { for (k = 3; k < NR; k++) { d = v[k] - (z[k + 1] - z[k - 1]) / 0.02; if (d * d > 1e-20) bad = 1; middle += (v[k] + 0.25) ^ 2 < 1e-20 }
+            exit bad || middle != 1 || NR != 12 }' impact/observables.csv
+}
+check 'velocities in rows are those at the positions, in an impact, too' differences
 finish

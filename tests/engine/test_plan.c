@@ -29,10 +29,6 @@ static void count_blocks(const struct physics_context *context, int thread, int 
     ((struct calls *)context->self)->blocks++;
 }
 
-static void no_share(const struct physics_context *context, int thread) {
-    (void)context, (void)thread;
-}
-
 static void no_run(struct simulation *simulation) {
     (void)simulation;
 }
@@ -85,7 +81,7 @@ static void lists_fill(struct two_lists *lists) {
 static void make(struct step_plan *plan, struct physics_set *set, struct timers *timers,
                  const struct physics *first, struct two_lists *lists, struct calls calls[3]) {
     static const struct engine_pass none[] = {{0}};
-    static const struct engine_passes engine = {.after_moved = none};
+    static const struct engine_passes engine = {.renew = none};
     const struct physics *rows[] = {first, &age, &far};
     lists_fill(lists);
     memset(calls, 0, 3 * sizeof *calls);
@@ -115,7 +111,7 @@ static void rows_need_no_interaction(void **state) {
     struct two_lists lists;
     struct calls calls[3];
     make(&plan, &set, &timers, &grains, &lists, calls);
-    plan_run(&plan.plain, &timers, NULL);
+    plan_run(&plan.plain, 0, &timers, NULL);
     assert_int_equal(calls[0].rows, ROWS);
     assert_int_equal(calls[1].rows, ROWS);
     assert_true(lists.speed[0][0] == fmax(7, ROWS - 7));
@@ -141,40 +137,32 @@ static void other_lists_run_after_the_sweep(void **state) {
     }
 }
 
-/* A scene has the ring order unless a pass outside of the visit and the moves need each other's fields. */
-static void fields_decide_on_the_ring(void **state) {
+/* Both orders end with the same passes; a step that computes forces alone runs those from the sums over pairs on. */
+static void forces_begin_at_the_pairs(void **state) {
     (void)state;
-    static const struct engine_pass ring[] = {{"ring", NULL, "sweep", NULL, no_run}, {0}};
-    static const struct engine_passes engine = {.ring = ring};
-    const struct physics_pass later[] = {
-        {.name = "a", .place = PASS_CLOSE, .reads = "inverse_mass heat", .writes = "heat", .share = no_share},
-        {.name = "b", .place = PASS_CLOSE, .reads = "heat", .writes = "heat force", .share = no_share},
-        {.name = "c", .place = PASS_SHARES, .reads = "position", .share = no_share},
-        {.name = "d", .place = PASS_FIRST, .reads = "force", .writes = "velocity", .share = no_share},
-        {.name = "e", .place = PASS_CLOSE, .writes = "force", .at_end = true, .share = no_share},
-        {.name = "f", .place = PASS_LOOK, .reads = "position", .share = no_share},
-        {.name = "g", .place = PASS_CLOSE, .reads = "posit", .writes = "forces", .share = no_share}};
-    const bool fits[] = {true, false, false, false, true, true, true};
-    static const struct physics_pass own[] = {{.name = "move",
-                                               .place = PASS_MOVE,
-                                               .reads = "force inverse_mass",
-                                               .writes = "position velocity",
-                                               .rows = count_rows}};
-    static const struct physics mover = {.search = &one, .passes = 1, .pass = own};
-    for (size_t k = 0; k < sizeof later / sizeof later[0]; k++) {
-        const struct physics other = {.passes = 1, .pass = &later[k]};
-        const struct physics *rows[] = {&mover, &other};
-        struct step_plan plan;
-        struct timers timers = {0};
-        struct two_lists lists;
-        struct physics_set set = {.count = 2, .active = {{.row = &mover}, {.row = &other}}};
-        lists_fill(&lists);
-        set.active[0].context.list[0] = &lists.grains;
-        stages_register(&timers, rows, 2);
-        plan_make(&plan, &set, &engine, &timers, NULL);
-        assert_int_equal(plan.ring.passes > 0, fits[k]);
-    }
+    static const struct engine_pass renew[] = {{"renew", NULL, "decide", NULL, no_run}, {0}},
+                                    sweep[] = {{"sweep", NULL, "sweep", NULL, no_run}, {0}},
+                                    last[] = {{"last", NULL, "comm", NULL, no_run}, {0}};
+    static const struct engine_passes engine = {
+        .before = {[PASS_LOOK] = last}, .renew = renew, .sweep = sweep};
+    const struct physics *rows[] = {&grains};
+    struct step_plan plan;
+    struct timers timers = {0};
+    struct two_lists lists;
+    struct physics_set set = {.count = 1, .active = {{.row = &grains}}};
+    lists_fill(&lists);
+    set.active[0].context.list[0] = &lists.grains;
+    stages_register(&timers, rows, 1);
+    plan_make(&plan, &set, &engine, &timers, NULL);
+    const char *const plain[] = {"move", "renew", "touch", "last"}, *const fused[] = {"sweep", "last"};
+    assert_int_equal(plan.plain.passes, 4);
+    assert_int_equal(plan.fused.passes, 2);
+    for (int p = 0; p < 4; p++)
+        assert_string_equal(plan.plain.pass[p].name, plain[p]);
+    for (int p = 0; p < 2; p++)
+        assert_string_equal(plan.fused.pass[p].name, fused[p]);
+    assert_int_equal(plan.forces, 2);
 }
 
-TEST_MAIN(plan, cmocka_unit_test(fields_decide_on_the_ring), cmocka_unit_test(rows_need_no_interaction),
+TEST_MAIN(plan, cmocka_unit_test(forces_begin_at_the_pairs), cmocka_unit_test(rows_need_no_interaction),
           cmocka_unit_test(other_lists_run_after_the_sweep))

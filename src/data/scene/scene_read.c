@@ -9,7 +9,7 @@
 #include "data/scene/scene_stage.h"
 #include "data/scene/schema_normalise.h"
 #include "data/scene/schema_read.h"
-#include "data/scene/schema_write.h"
+#include "data/scene/schema_output.h"
 #include "data/scene/tree.h"
 
 #include <stdlib.h>

@@ -3,7 +3,6 @@
 #include "data/scene/schema_help.h"
 #include "data/scene/schema.h"
 #include "data/scene/schema_root.h"
-#include "data/scene/schema_search.h"
 #include "data/scene/schema_unknown.h"
 
 #include <string.h>

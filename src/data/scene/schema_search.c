@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
-/* Searches the rows of the schema. Read schema_search.h first. */
-#include "data/scene/schema_search.h"
+/* Searches the rows of the schema. Read schema_help.h first. */
+#include "data/scene/schema_help.h"
 #include "data/scene/schema_root.h"
 #include "data/scene/schema_unknown.h"
 

@@ -3,7 +3,6 @@
 #include "data/scene/schema_unknown.h"
 #include "data/scene/mistakes.h"
 #include "data/scene/schema_root.h"
-#include "data/scene/synonyms.h"
 
 #include <ctype.h>
 #include <string.h>

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* Keys that the schema does not know: what may be meant, and what is allowed. */
-#ifndef SCREE_SCENE_SCHEMA_UNKNOWN_H
-#define SCREE_SCENE_SCHEMA_UNKNOWN_H
+#ifndef SCREE_DATA_SCENE_SCHEMA_UNKNOWN_H
+#define SCREE_DATA_SCENE_SCHEMA_UNKNOWN_H
 
 #include "data/scene/schema.h"
 
@@ -26,5 +26,21 @@ bool schema_unknown(struct schema_reader *reader, const struct schema_table *tab
 /* Refuses all keys of a section that are none of its table. Returns true if all are known. */
 bool schema_known_keys(struct schema_reader *reader, const struct schema_table *table,
                        const struct tree_node *section, const char *prefix);
+
+/* Words of other programs and of papers for keys of a scene. */
+
+struct synonym {
+    const char *word;
+    const char
+        *keys; /* keys that may be meant, nearest first, separated by blanks: the last part of a key, or
+                         a full key */
+    const char *note; /* how the two differ; NULL: not at all */
+};
+
+/* The synonym of a word, capitals and "-" for "_" allowed; NULL: none is known. */
+const struct synonym *synonyms_find(const char *word);
+
+/* The k-th synonym, NULL behind the last one. */
+const struct synonym *synonyms_get(int k);
 
 #endif

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* The echo: the effective values as YAML that reads back to the same scene. A value that its own row would
  * refuse stands for "not given" and is left out, as are empty texts and lists. */
-#include "data/scene/schema_write.h"
+#include "data/scene/schema_output.h"
 #include "data/scene/schema.h"
 #include "data/scene/schema_root.h"
 

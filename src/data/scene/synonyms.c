@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
-/* The table of synonyms. Read synonyms.h first. */
-#include "data/scene/synonyms.h"
+/* The table of synonyms. Read schema_unknown.h first. */
+#include "data/scene/schema_unknown.h"
 
 #include <ctype.h>
 #include <stddef.h>

@@ -115,7 +115,7 @@ bool scree_add(struct scree_simulation *simulation, const struct scree_particle 
             given.x[2] = box->edge[2] / 2;
             given.v[2] = given.omega[0] = given.omega[1] = 0;
         }
-        sources_give(simulation->state, &given);
+        sources_give(&simulation->state->sources.given, &given);
     }
     simulation->changed = simulation->changed || count > 0;
     return scree_parts_tell(&own, error);
@@ -125,6 +125,6 @@ void scree_delete(struct scree_simulation *simulation, const int64_t *ids, size_
     if (simulation == NULL || simulation->state == NULL || ids == NULL)
         return;
     for (size_t k = 0; k < count; k++)
-        sources_take(simulation->state, ids[k]);
+        sources_take(&simulation->state->sources.given, ids[k]);
     simulation->changed = simulation->changed || count > 0;
 }

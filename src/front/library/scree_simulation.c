@@ -144,7 +144,7 @@ static bool step(struct scree_simulation *simulation, bool last, struct error *e
     bool seen = sums || run_stages_due(&simulation->stages, s, next);
     simulation->since = timer_now();
     simulation->changed = false; /* a force of the caller may change something again */
-    checked_step(s, sums, rebuild, !seen);
+    checked_step(s, sums, rebuild, seen);
     scree_observe_drop(simulation);
     simulation->record.particle_steps += (double)s->total;
     if (s->agree.signals.error || (s->ranks.alone && s->error.kind != ERROR_NONE))

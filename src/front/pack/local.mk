@@ -2,4 +2,4 @@
 noinst_LTLIBRARIES += libpack.la
 libpack_la_SOURCES = \
 	%D%/bed.c %D%/hull.c %D%/laws.c %D%/pack.c %D%/recipe.c %D%/recipe_sizes.c %D%/recipe_work.c %D%/bed.h \
-	%D%/hull.h %D%/laws.h %D%/pack.h %D%/recipe.h %D%/recipe_sizes.h %D%/recipe_work.h
+	%D%/hull.h %D%/laws.h %D%/pack.h %D%/recipe.h %D%/recipe_work.h

@@ -5,7 +5,7 @@
 #include "base/memory.h"
 #include "data/scene/scene_read.h"
 #include "data/scene/source_batch.h"
-#include "front/pack/recipe_sizes.h"
+#include "front/pack/recipe_work.h"
 
 #include <math.h>
 #include <stdlib.h>

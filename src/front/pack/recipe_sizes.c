@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
-/* Laws of sizes that a scene does not have become sieve curves of 64 sieves. Read recipe_sizes.h first. */
-#include "front/pack/recipe_sizes.h"
+/* Laws of sizes that a scene does not have become sieve curves of 64 sieves. Read recipe_work.h first. */
+#include "front/pack/recipe_work.h"
 
 #include <math.h>
 #include <string.h>

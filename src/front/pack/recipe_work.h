@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* A recipe on its way. */
-#ifndef SCREE_PACK_RECIPE_WORK_H
-#define SCREE_PACK_RECIPE_WORK_H
+#ifndef SCREE_FRONT_PACK_RECIPE_WORK_H
+#define SCREE_FRONT_PACK_RECIPE_WORK_H
 
 #include "base/error.h"
 #include "front/pack/laws.h"
@@ -34,5 +34,16 @@ void recipe_set(struct recipe_work *work, const char *format, ...) __attribute__
 
 /* Fills the error with "command line: TEXT" (user); returns false. */
 bool recipe_fail(struct recipe_work *work, const char *format, ...) __attribute__((format(printf, 2, 3)));
+
+/* Laws of sizes as size laws of a scene, and the published systems. */
+
+/* The size law of the source, its keys of a scene left out. */
+bool recipe_sizes(struct recipe_work *work);
+
+/* Count and edge of the published cube where the user gives none. */
+bool recipe_published(struct recipe_work *work);
+
+/* The two sources of the law bidisperse, and their cube. */
+bool recipe_bidisperse(struct recipe_work *work);
 
 #endif

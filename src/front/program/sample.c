@@ -78,7 +78,7 @@ static void bulk_measure(struct sample_record *record, const struct simulation *
     }
     comm_min(s->comm, &record->radius_min, 1);
     comm_sum(s->comm, &record->mass, 1);
-    record->closed = s->scene->insertions == 0 && s->scene->deletions == 0 && !simulation_may_lose(s);
+    record->closed = s->scene->insertions == 0 && s->scene->deletions == 0 && !box_may_lose(&s->box);
     for (int g = 0; g < s->scene->groups; g++)
         record->closed = record->closed && s->scene->group[g].motion != SCENE_MOVING;
 }

@@ -21,7 +21,7 @@ void trial_step(struct simulation *s) {
         (struct step_signals){.stop = run_signalled() != 0, .error = s->error.kind != ERROR_NONE};
     s->evaluation.virial = s->servo.on;
     s->evaluation.sums = s->sums_each_step || s->servo.on;
-    step_run(s, every > 0 && (s->clock.step + 1) % (uint64_t)every == 0, true);
+    step_run(s, every > 0 && (s->clock.step + 1) % (uint64_t)every == 0);
 }
 
 /* Joins the observations of all ranks. Collective. */

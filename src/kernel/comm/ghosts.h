@@ -9,13 +9,15 @@
  * wrapped directions (domain_wrap) there are no copies: the index wraps these directions. In a sheared box
  * copies across the gradient follow from the offset of the moment, so their ranks change from rebuild to
  * rebuild; such copies stand at their originals in the step (`in_place`), as their shift changes. */
-#ifndef SCREE_COMM_GHOSTS_H
-#define SCREE_COMM_GHOSTS_H
+#ifndef SCREE_KERNEL_COMM_GHOSTS_H
+#define SCREE_KERNEL_COMM_GHOSTS_H
 
 #include "kernel/comm/domain.h"
 #include "kernel/comm/migrate.h"
 #include "kernel/pairs/history.h"
 #include "kernel/particles/fields.h"
+
+struct ghosts_part;
 
 /* The way that copies reach other ranks (shadows.h). In steps both ways are the same: one message a peer,
  * from the owner to all holders, and one back with newton on. AUTO spreads copies from neighbour to neighbour
@@ -138,5 +140,22 @@ void ghosts_count(const struct ghosts *ghosts, struct ghosts_counts *counts);
  * originals are owned, and no copy of this rank's own particles stands at the position of its original. Else
  * `why` gets one line. Not collective. For tests. */
 bool ghosts_valid(const struct ghosts *ghosts, const struct particles *particles, char *why, size_t why_size);
+
+/* Messages about some of the copies alone: numbers that their owner keeps in an array of its own travel between
+ * originals and copies, without the other particles. A part is made after ghosts_make and is valid until the next
+ * ghosts_make or ghosts_drop. */
+
+/* The part of the particles k with row[k] >= 0, owned ones and copies; the number is the row of the particle in
+ * the arrays below. Ranks must agree: a copy is in the part if and only if its original is. Not collective. */
+struct ghosts_part *ghosts_part_create(struct ghosts *ghosts, const int32_t *row);
+void ghosts_part_destroy(struct ghosts_part **part);
+
+/* Sends the rows of originals (`width` doubles each) to the rows of their copies, as they are: nothing is shifted
+ * by images. Collective (neighbours). */
+void ghosts_part_forward(struct ghosts_part *part, double *value, int width);
+
+/* Adds the rows of copies to the rows of their originals, by the rank that held the copy, then in the order of the
+ * copies there. Copies keep their rows. Collective (neighbours). */
+void ghosts_part_sum(struct ghosts_part *part, double *value, int width);
 
 #endif

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
-/* The copies of a part: the plan of all copies with the others left out. Read ghosts_part.h first. */
-#include "kernel/comm/ghosts_part.h"
+/* The copies of a part: the plan of all copies with the others left out. Read ghosts.h first. */
+#include "kernel/comm/ghosts.h"
 #include "kernel/comm/ghosts_parts.h"
 #include "base/memory.h"
 #include <string.h>

@@ -5,7 +5,7 @@ libcomm_la_SOURCES = \
 	%D%/exchange.c %D%/files.c %D%/ghosts.c %D%/ghosts_count.c %D%/ghosts_part.c %D%/ghosts_stay.c \
 	%D%/ghosts_used.c %D%/migrate.c %D%/rank_groups.c %D%/shadows.c %D%/alone.h %D%/balance.h %D%/comm.h \
 	%D%/copies.h %D%/cores.h %D%/domain.h %D%/domain_grid.h %D%/domain_tree.h %D%/exchange.h %D%/files.h \
-	%D%/ghosts.h %D%/ghosts_part.h %D%/ghosts_parts.h %D%/migrate.h %D%/rank_groups.h %D%/shadows.h
+	%D%/ghosts.h %D%/ghosts_parts.h %D%/migrate.h %D%/rank_groups.h %D%/shadows.h
 libcomm_la_CPPFLAGS = $(AM_CPPFLAGS)
 libcomm_la_LIBADD = $(MPI_LIBS)
 if HAVE_ZOLTAN

@@ -48,8 +48,8 @@ static void early_mark_block(struct sweep *sweep, const struct pairlist *list, i
     }
 }
 
-static void early_mark(struct sweep *sweep, const struct pairlist *list, size_t owned,
-                       const struct sweep_numbers early[2]) {
+static void early_mark(struct sweep *sweep, const struct pairlist *list, size_t owned, const uint32_t *sent,
+                       size_t sent_count) {
     if (owned > sweep->early_capacity) {
         sweep->early_capacity = owned + owned / 8;
         memory_free(sweep->early);
@@ -69,11 +69,9 @@ static void early_mark(struct sweep *sweep, const struct pairlist *list, size_t 
         for (size_t s = 0; s < list->slot_count; s++)
             if (list->busy[s] < owned)
                 early_mark_one(sweep, list->busy[s]);
-        for (int n = 0; n < 2; n++) {
 #pragma omp for schedule(static) nowait
-            for (size_t k = 0; k < early[n].count; k++)
-                early_mark_one(sweep, early[n].number[k]);
-        }
+        for (size_t k = 0; k < sent_count; k++)
+            early_mark_one(sweep, sent[k]);
     }
 }
 
@@ -157,10 +155,10 @@ static void ranges_sort(struct sweep_thread *thread, size_t blocks) {
         thread->late[at[thread->use[thread->unsorted[r].first / SWEEP_CHUNK]]++] = thread->unsorted[r];
 }
 
-void sweep_build(struct sweep *sweep, const struct pairlist *list, size_t owned,
-                 const struct sweep_numbers early[2]) {
+void sweep_build(struct sweep *sweep, const struct pairlist *list, size_t owned, const uint32_t *sent,
+                 size_t sent_count) {
     sweep->stale = false;
-    early_mark(sweep, list, owned, early);
+    early_mark(sweep, list, owned, sent, sent_count);
 #pragma omp parallel for schedule(static, 1)
     for (int t = 0; t < sweep->threads; t++) {
         struct sweep_thread *thread = &sweep->thread[t];

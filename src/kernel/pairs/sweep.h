@@ -7,8 +7,7 @@
  * threads read, too, moves early: before all blocks, and a barrier follows. Early are
  *   - particles in pairs that cross threads (both copies of such a pair read both particles),
  *   - particles of busy classes, which every thread reads,
- *   - particles that have copies elsewhere which pairs use: their values are sent before the sweep;
- *   - where a ring plan (ring.h) may follow, particles near walls.
+ *   - particles that have copies elsewhere which pairs use: their values are sent before the sweep.
  *
  * Forces of the last step must be complete when the sweep begins, and a particle's record is set to zero when
  * it moves; so each contribution of this step comes after. The order of contributions is that of the plain
@@ -52,16 +51,10 @@ struct sweep {
 struct sweep *sweep_create(int threads);
 void sweep_destroy(struct sweep **sweep);
 
-/* Numbers of particles, in any order. */
-struct sweep_numbers {
-    const uint32_t *number;
-    size_t count;
-};
-
-/* Makes the plan for a pair list that was just built for `owned` particles; `early` are the particles whose
- * values travel in a step (ghosts_step_originals), and others that must move early. Opens its own team. */
-void sweep_build(struct sweep *sweep, const struct pairlist *list, size_t owned,
-                 const struct sweep_numbers early[2]);
+/* Makes the plan for a pair list that was just built for `owned` particles; `sent` are the numbers of the particles whose
+ * values travel in a step (ghosts_step_originals), in any order. Opens its own team. */
+void sweep_build(struct sweep *sweep, const struct pairlist *list, size_t owned, const uint32_t *sent,
+                 size_t sent_count);
 
 /* True if every particle moves exactly once, and none after a block of its thread that reads it or while
  * another thread may; else `why` gets one line. Tests call it. */

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
-/* The memory and the order of a walk over pairs; the stages of a block are in walk_block.c. */
+/* The memory and the order of a walk over pairs; the operations on a block are in walk_block.c. */
 #include "kernel/pairs/walk.h"
 #include "base/memory.h"
 #include "kernel/pairs/walk_kernel.h"
@@ -94,16 +94,6 @@ void walk_prepare(struct walk *walk, const struct walk_work *work) {
     walk_reset(walk, work->history);
 }
 
-/* The particles that the next block of the thread is the first to read. */
-static struct walk_fetch walk_fetch_of(const struct walk_work *work, int thread, int block) {
-    int next = block + 1 - work->list->thread_block[thread];
-    if (work->ring == NULL || block + 1 == work->list->thread_block[thread + 1])
-        return (struct walk_fetch){0};
-    const struct sweep_thread *plan = &work->ring->sweep->thread[thread];
-    size_t ranges = plan->start[next + 1] - plan->start[next];
-    return (struct walk_fetch){.range = ranges > 0 ? plan->late + plan->start[next] : NULL, .ranges = ranges};
-}
-
 void walk_block(struct walk *walk, const struct walk_work *work, int thread, int block) {
     struct history *history = work->history;
     const struct pair_block *rows = &work->list->blocks[block];
@@ -112,7 +102,6 @@ void walk_block(struct walk *walk, const struct walk_work *work, int thread, int
                              .block = rows,
                              .thread = walk->thread[thread],
                              .pair_base = pairlist_thread_first(work->list, thread)};
-    task.thread->fetch = walk_fetch_of(work, thread, block);
     if (history) {
         task.old = &history->part[history->now][thread];
         task.new = &history->part[1 - history->now][thread];

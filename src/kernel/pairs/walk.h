@@ -3,7 +3,7 @@
  * A loop that needs no batch, as most of a rebuild and of output do, uses pairlist_each (pairlist.h). The fluid
  * makes rows of both sides (pair_rows_build).
  *
- * A block of the list (pairlist.h) goes through these stages:
+ * A block of the list (pairlist.h) goes through these operations:
  *
  *   filter     distances of four pairs at a time against the cut-off; numbers of near pairs are collected
  *
@@ -32,7 +32,7 @@
  *   7. Fields beyond the gathered ones are read in `compute` by the numbers i[k] and j[k].
  *
  * Entries of a batch lie in the order of the pairs. Separations are formed as (x_j - x_i) + shift, so that a
- * pair and its mirrored copy have exactly opposite ones. The stages are compiled for several instruction sets
+ * pair and its mirrored copy have exactly opposite ones. The operations are compiled for several instruction sets
  * (walk_block.c), and the best that the CPU has is taken at run time; all give the same bits: no sum depends
  * on the vector length, and nothing is contracted into fused operations. */
 #ifndef SCREE_PAIRS_WALK_H
@@ -40,7 +40,6 @@
 
 #include "kernel/pairs/history.h"
 #include "kernel/pairs/pairlist.h"
-#include "kernel/pairs/ring.h"
 #include "kernel/pairs/walk_ordered.h"
 
 /* WALK_QUAD: pairs that the filter takes at a time. WALK_AHEAD: how many pairs ahead partners are fetched;
@@ -51,12 +50,11 @@ enum {
     WALK_LANES = 8,
     WALK_QUAD = 4,
     WALK_AHEAD = 16,
-    WALK_FETCH = 2,
     WALK_GATHER_MAX = 2,
     WALK_VALUES_MAX = 8
 };
 
-/* Near pairs on their way through the stages. Entry k of each array belongs to pair k; loops may run to the
+/* Near pairs on their way through the operations. Entry k of each array belongs to pair k; loops may run to the
  * next multiple of WALK_LANES (`padded`): the entries from `count` on repeat the last one. */
 struct walk_batch {
     double record[WALK_BATCH][8];                       /* x_j - x_i, r_i + r_j, v_j - v_i, 1/m_i + 1/m_j */
@@ -113,7 +111,6 @@ struct walk_work {
     struct walk_field gather[WALK_GATHER_MAX];
     double *target; /* where shares are added: `stride` doubles a particle, owned and copies */
     size_t stride;
-    const struct ring *ring; /* where shares go (kernel/pairs/ring.h); NULL: to the particles' own records */
     bool radii;
     double range;
     /* With `radii` and a history: a pair is near if it touches, or if number `held` of its record is not 0; the range is not
@@ -124,24 +121,15 @@ struct walk_work {
     bool ordered;   /* shares are summed in an order that no layout changes (walk_ordered.h) */
 };
 
-/* Particles that the next block is the first to read: the filter fetches them on its way, WALK_FETCH after each
- * WALK_QUAD pairs, as many requests at once would be dropped. */
-struct walk_fetch {
-    uint32_t row, last;              /* of the present range: the next one, and the end */
-    const struct sweep_range *range; /* the ranges that follow */
-    size_t ranges;
-};
-
 /* A thread's own memory. */
 struct walk_thread {
     struct walk_batch *batch; /* `memory` bytes of the client */
     /* Near pairs, number - first pair of the block; WALK_QUAD are written at a time. */
     uint32_t candidate[WALK_CHUNK + WALK_BATCH + WALK_QUAD];
     size_t candidates;
-    size_t cursor; /* merge pointer into the old history records */
-    size_t ahead;  /* the filter's, of work that waits */
-    double *slots; /* stride doubles a busy particle */
-    struct walk_fetch fetch;
+    size_t cursor;              /* merge pointer into the old history records */
+    size_t ahead;               /* the filter's, of work that waits */
+    double *slots;              /* stride doubles a busy particle */
     struct walk_ledger *ledger; /* NULL: shares are added at once */
 };
 

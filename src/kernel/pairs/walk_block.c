@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
-/* One block of the pair list through the stages of walk.h. Compiled once for each instruction set, under the
+/* One block of the pair list through the operations of walk.h. Compiled once for each instruction set, under the
  * name that WALK_KERNEL gives. Read walk.h first. */
 #include "kernel/pairs/walk_filter.h"
 #include "kernel/pairs/walk_history.h"
@@ -51,8 +51,8 @@ static inline void walk_gather(const struct walk_task *task, const struct walk_v
     for (int k = 0; k < count; k++) {
         uint32_t pair = thread->candidate[k], i = view.i[pair], code = view.j[pair], j = pair_partner(code);
         const struct particle_state *si = &view.state[i], *sj = &view.state[j];
-        __builtin_prefetch(view.target + ring_record(view.place, i) * view.stride, 1);
-        __builtin_prefetch(view.target + ring_record(view.place, j) * view.stride, 1);
+        __builtin_prefetch(view.target + i * view.stride, 1);
+        __builtin_prefetch(view.target + j * view.stride, 1);
         b->i[k] = i;
         b->j[k] = j;
         b->pair[k] = pair + offset;
@@ -189,7 +189,6 @@ static inline __attribute__((always_inline)) void walk_scatter(const struct walk
     struct walk_thread *thread = task->thread;
     const struct walk_batch *restrict b = thread->batch;
     const int32_t *slot_of = task->work->list->slot_of;
-    const int32_t *shift = task->work->ring ? task->work->ring->shift : NULL;
     const size_t stride = walk_stride(task, scatter);
     const int values = task->client->values, both = b->both, one = b->one, count = b->count;
     double *target = task->work->target, *slots = thread->slots;
@@ -200,11 +199,11 @@ static inline __attribute__((always_inline)) void walk_scatter(const struct walk
         return;
     }
     for (int k = 0; k < both; k++) {
-        walk_add(target + ring_record(shift, b->i[k]) * stride, b, k, 0, scatter, values);
-        walk_add(target + ring_record(shift, b->j[k]) * stride, b, k, 1, scatter, values);
+        walk_add(target + b->i[k] * stride, b, k, 0, scatter, values);
+        walk_add(target + b->j[k] * stride, b, k, 1, scatter, values);
     }
     for (int k = both; k < count; k++)
-        walk_add(target + ring_record(shift, b->i[k]) * stride, b, k, 0, scatter, values);
+        walk_add(target + b->i[k] * stride, b, k, 0, scatter, values);
     for (int k = one; k < count; k++)
         walk_add(slots + (size_t)slot_of[b->j[k]] * stride, b, k, 1, scatter, values);
 }
@@ -234,7 +233,7 @@ static inline __attribute__((always_inline)) void walk_flush(const struct walk_t
     memmove(thread->candidate, thread->candidate + count, thread->candidates * sizeof thread->candidate[0]);
 }
 
-/* Takes the block through the stages, with constants for the results and the history of a pair. */
+/* Takes the block through the operations, with constants for the results and the history of a pair. */
 static inline __attribute__((always_inline)) void walk_through(const struct walk_task *task,
                                                                enum walk_scatter scatter, int components) {
     const struct walk_view view = walk_view_of(task);

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
-/* The first stage of a block (walk.h): the near pairs become candidates. Included by walk_block.c alone, which is
+/* The first operation on a block (walk.h): the near pairs become candidates. Included by walk_block.c alone, which is
  * compiled for several instruction sets. */
 #ifndef SCREE_PAIRS_WALK_FILTER_H
 #define SCREE_PAIRS_WALK_FILTER_H
@@ -17,7 +17,6 @@ struct walk_view {
     struct walk_field gather[WALK_GATHER_MAX];
     const double *target; /* only to fetch it ahead of the scatter */
     size_t stride;
-    const int32_t *place;  /* shift of the ring */
     const uint32_t *i, *j; /* from the first pair of the block on */
     const double (*shift)[4];
     const double (*drift)[4]; /* velocities of images; NULL: the box is at rest */
@@ -30,7 +29,6 @@ static inline struct walk_view walk_view_of(const struct walk_task *task) {
     struct walk_view view = {.state = work->particles->state,
                              .target = work->target,
                              .stride = work->stride,
-                             .place = work->ring ? work->ring->shift : NULL,
                              .i = work->list->i + task->block->first_pair,
                              .j = work->list->j + task->block->first_pair,
                              .shift = work->list->shift,
@@ -68,37 +66,18 @@ static inline unsigned walk_near(const struct walk_view *view, enum walk_cutoff 
     return walk_bits(row[0] * row[0] + row[1] * row[1] + row[2] * row[2] < row[3] * row[3]);
 }
 
-/* Fetches the next particles of the next block: their states, and the first field that is gathered. */
-static inline void walk_fetch_some(const struct walk_view *view, struct walk_fetch *fetch) {
-    if (fetch->row < fetch->last) {
-        for (uint32_t k = 0; k < WALK_FETCH; k++)
-            __builtin_prefetch(&view->state[fetch->row + k]);
-        if (view->gathers > 0)
-            __builtin_prefetch(view->gather[0].base + fetch->row * view->gather[0].stride);
-        fetch->row += WALK_FETCH;
-    } else if (fetch->ranges > 0) {
-        fetch->row = fetch->range->first;
-        fetch->last = fetch->range->last;
-        fetch->range++;
-        fetch->ranges--;
-    }
-}
-
 /* Appends those of the block's pairs [first, last) that are near. */
 static inline __attribute__((always_inline)) void walk_filter(const struct walk_view view,
                                                               enum walk_cutoff cutoff,
                                                               struct walk_thread *restrict thread,
                                                               size_t first, size_t last) {
     uint32_t *out = thread->candidate + thread->candidates;
-    struct walk_fetch fetch = thread->fetch;
     size_t k = first;
     for (; k + WALK_QUAD <= last; k += WALK_QUAD) {
         for (size_t lane = 0; lane < WALK_QUAD; lane++)
             __builtin_prefetch(&view.state[pair_partner(view.j[k + lane + WALK_AHEAD])]);
         out = walk_append(out, k, walk_near(&view, cutoff, view.i + k, view.j + k));
-        walk_fetch_some(&view, &fetch);
     }
-    thread->fetch = fetch;
     if (k < last) {
         uint32_t i[WALK_QUAD], j[WALK_QUAD];
         for (size_t lane = 0; lane < WALK_QUAD; lane++) {

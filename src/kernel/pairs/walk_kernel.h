@@ -6,7 +6,7 @@
 #include "kernel/pairs/walk.h"
 
 struct walk_kernel {
-    void (*block)(const struct walk_task *task); /* takes a block through all stages */
+    void (*block)(const struct walk_task *task); /* takes a block through all operations */
 };
 
 /* The compiled form of a level (walk_level), which the CPU must have. */

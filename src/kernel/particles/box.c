@@ -160,3 +160,11 @@ double box_nearing(const struct box *now, const struct box *then) {
     }
     return 1 - least;
 }
+
+bool box_may_lose(const struct box *box) {
+    for (int d = 0; d < 3; d++)
+        for (int side = 0; side < 2; side++)
+            if (!box->periodic[d] && box->leave[d][side] == BOX_DELETE)
+                return true;
+    return false;
+}

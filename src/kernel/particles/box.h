@@ -117,4 +117,7 @@ void box_affine(const struct box *now, const struct box *then, const double x[3]
  * smallest singular value of the deformation, at least 0. */
 double box_nearing(const struct box *now, const struct box *then);
 
+/* True if particles may leave through an open side and be deleted. */
+bool box_may_lose(const struct box *box);
+
 #endif

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
-/* Rigid bodies of spheres (clumps). Grains of a source become bodies: a grain stands for the ball around its body,
+/* Rigid bodies: of spheres (clumps), or convex with flat faces (rocks; rocks.h has their contacts). Grains of a source become bodies: a grain stands for the ball around its body,
  * so that all sources of a scene place bodies, without overlap and with any law of sizes.
  *
  * A body is a particle of the kind `body` (kernel/particles/kinds.h) at its centre of mass, with the radius of the ball
@@ -12,7 +12,7 @@
  * A step, before all other motion (bodies_motion.c):
  *
  *     1. each rank adds the forces on its members, and their torques about the centre of mass, to its copy of the
- *        body; the sums of copies go back to the owner (kernel/comm/ghosts_part.h): one message a neighbour, 6 numbers a copy
+ *        body; the sums of copies go back to the owner (kernel/comm/ghosts.h): one message a neighbour, 6 numbers a copy
  *     2. the owner moves the body: V += dt (F/M + g), L += dt torque, x += dt V, q by a free rotation with L
  *        (rotor.h): a scheme of second order that conserves L exactly without torque
  *     3. the new poses go to the copies: one message a neighbour, 13 numbers a copy
@@ -29,7 +29,7 @@
 #ifndef SCREE_BODIES_BODIES_H
 #define SCREE_BODIES_BODIES_H
 
-#include "physics/bodies/clump.h"
+#include "physics/bodies/rock.h"
 #include "engine/physics.h"
 #include "physics/grains/motion/carried.h"
 
@@ -37,17 +37,29 @@
 struct bodies_options {
     int clumps;
     struct clump_options clump[CLUMPS_MAX];
+    int rocks;
+    struct rock_options rock[ROCKS_MAX];
 };
 
 struct bodies_links;
+struct rocks;
+
+/* The shapes of an entry. */
+static inline int bodies_variants(const struct rock_options *options) {
+    return options->random ? options->draw.variants : 1;
+}
 
 /* The data of a run. */
 struct bodies {
     const struct bodies_options *options;
-    struct clump *clump;        /* by number; owned */
-    double before;              /* length of the step that led here; 0: none yet */
-    struct bodies_links *links; /* bodies_links.h; NULL before the first rebuild */
+    int shapes;
+    struct clump
+        *clump; /* shapes by number, those of clumps first; a rock entry has `variants` of them. Owned */
+    const struct clump_entry **entry; /* of each shape; borrowed from the options */
+    double before;                    /* length of the step that led here; 0: none yet */
+    struct bodies_links *links;       /* bodies_links.h; NULL before the first rebuild */
     struct carried carried;
+    struct rocks *rocks; /* the contacts of rocks; NULL: there are none */
 };
 
 #endif

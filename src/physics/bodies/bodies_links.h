@@ -6,7 +6,7 @@
 
 #include "physics/bodies/bodies.h"
 #include "physics/bodies/sums.h"
-#include "kernel/comm/ghosts_part.h"
+#include "kernel/comm/ghosts.h"
 
 /* What does not change of a body. */
 struct bodies_row {

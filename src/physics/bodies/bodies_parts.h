@@ -17,8 +17,8 @@ void bodies_motion_full_step(struct bodies *bodies, const struct physics_context
 
 /* Makes bodies of grains. */
 
-/* The clump that a grain of this material and radius becomes; -1: none. */
-int place_clump(const struct bodies_options *options, int material, double radius);
+/* The entry that a grain of this material and radius becomes a body of, those of clumps first; -1: none. */
+int place_entry(const struct bodies_options *options, int material, double radius);
 
 /* Turns the grains of this rank that are to be bodies into bodies and their members: `fill` of struct physics. */
 bool place_all(struct bodies *bodies, const struct physics_context *context,

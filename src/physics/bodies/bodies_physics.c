@@ -5,35 +5,64 @@
 #include "physics/grains/grains.h"
 #include "physics/bodies/bodies_links.h"
 #include "physics/bodies/bodies_parts.h"
+#include "physics/bodies/rocks.h"
 #include "base/memory.h"
 #include "kernel/particles/kinds.h"
 #include <math.h>
 #include <stdio.h>
 
-static bool check_entry(const struct physics_context *context, int number, struct error *error) {
-    const struct bodies_options *all = context->options;
-    const struct clump_options *options = &all->clump[number];
+/* Refuses what an entry of any shape may say wrong; `key`: the entry. */
+static bool check_entry(const struct physics_context *context, const struct clump_entry *entry,
+                        const char *key, struct error *error) {
     const struct scene *scene = context->scene;
-    const double *q = options->quaternion, *w = options->angular_velocity;
+    const double *q = entry->quaternion, *w = entry->angular_velocity;
     const bool flat = context->box->dimension == 2;
-    char key[64];
-    snprintf(key, sizeof key, "bodies.clumps[%d]", number);
-    if (options->material < 0 && scene->materials > 1)
+    if (entry->material < 0 && scene->materials > 1)
         return scene_fail(scene, error, key, "needs material: which grains become these bodies");
-    if (!(options->radius_upto > options->radius_above))
+    if (!(entry->radius_upto > entry->radius_above))
         return scene_fail(scene, error, key, "radius_upto (%g) is not above radius_above (%g)",
-                          options->radius_upto, options->radius_above);
-    if (options->orientation == CLUMP_GIVEN &&
-        (options->quaternion_given != 4 || !(q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3] > 0)))
+                          entry->radius_upto, entry->radius_above);
+    if (entry->orientation == CLUMP_GIVEN &&
+        (entry->quaternion_given != 4 || !(q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3] > 0)))
         return scene_fail(scene, error, key,
                           "orientation: given needs quaternion: four numbers w x y z, not all 0");
-    if (flat && ((options->orientation == CLUMP_GIVEN && (q[1] != 0 || q[2] != 0)) || w[0] != 0 || w[1] != 0))
+    if (flat && ((entry->orientation == CLUMP_GIVEN && (q[1] != 0 || q[2] != 0)) || w[0] != 0 || w[1] != 0))
         return scene_fail(scene, error, key,
                           "turns out of the plane of a two-dimensional scene; allowed is z alone");
-    struct clump clump;
-    bool good = clump_make(&clump, scene, number, options, error);
-    clump_free(&clump);
-    return good;
+    return true;
+}
+
+/* Makes all shapes: of each clump, of each variant of a rock. `clump` and `entry` have room for them. */
+static bool shapes_make(const struct physics_context *context, struct clump *clump,
+                        const struct clump_entry **entry, struct error *error) {
+    const struct bodies_options *options = context->options;
+    int number = 0;
+    for (int k = 0; k < options->clumps; k++, number++) {
+        entry[number] = &options->clump[k].entry;
+        if (!clump_make(&clump[number], context->scene, k, &options->clump[k], error))
+            return false;
+    }
+    for (int k = 0; k < options->rocks; k++)
+        for (int v = 0; v < bodies_variants(&options->rock[k]); v++, number++) {
+            entry[number] = &options->rock[k].entry;
+            if (!rock_make(&clump[number], context->scene, k, &options->rock[k], v, error))
+                return false;
+        }
+    return true;
+}
+
+static int shapes_count(const struct bodies_options *options) {
+    int count = options->clumps;
+    for (int k = 0; k < options->rocks; k++)
+        count += bodies_variants(&options->rock[k]);
+    return count;
+}
+
+static void shapes_free(struct clump *clump, int count, const struct clump_entry **entry) {
+    for (int k = 0; k < count; k++)
+        clump_free(&clump[k]);
+    memory_free(clump);
+    memory_free(entry);
 }
 
 /* What would part a body from its members. */
@@ -45,8 +74,8 @@ static bool check_sources(const struct physics_context *context, struct error *e
         double smallest, largest;
         sizes_bounds(&insertion->sizes, &smallest, &largest);
         snprintf(key, sizeof key, "insertions[%d]", k);
-        if (place_clump(context->options, insertion->material, smallest) >= 0 ||
-            place_clump(context->options, insertion->material, largest) >= 0)
+        if (place_entry(context->options, insertion->material, smallest) >= 0 ||
+            place_entry(context->options, insertion->material, largest) >= 0)
             return scene_fail(
                 scene, error, key,
                 "inserts grains that would be bodies; bodies are made at the start alone (not built yet)");
@@ -67,30 +96,45 @@ static bool check_sources(const struct physics_context *context, struct error *e
 
 static bool check(const struct physics_context *context, struct error *error) {
     const struct bodies_options *options = context->options;
-    for (int k = 0; k < options->clumps; k++)
-        if (!check_entry(context, k, error))
+    const int count = shapes_count(options);
+    char key[64];
+    if (count == 0)
+        return scene_fail(context->scene, error, "bodies", "needs clumps or shapes");
+    for (int k = 0; k < options->clumps + options->rocks; k++) {
+        const bool rock = k >= options->clumps;
+        snprintf(key, sizeof key, "bodies.%s[%d]", rock ? "shapes" : "clumps",
+                 rock ? k - options->clumps : k);
+        if (!check_entry(context, rock ? &options->rock[k - options->clumps].entry : &options->clump[k].entry,
+                         key, error))
             return false;
-    return check_sources(context, error);
+    }
+    struct clump *clump = memory_allocate_zero((size_t)count, sizeof *clump, "shapes of bodies");
+    const struct clump_entry **entry = memory_allocate_zero((size_t)count, sizeof *entry, "shapes of bodies");
+    bool good = shapes_make(context, clump, entry, error);
+    shapes_free(clump, count, entry);
+    return good && check_sources(context, error) && rocks_check(context, error);
 }
 
 static void *create(const struct physics_context *context) {
     struct bodies *bodies = memory_allocate_zero(1, sizeof *bodies, "bodies");
     const struct bodies_options *options = bodies->options = context->options;
     struct error none = {0};
-    bodies->clump = memory_allocate_zero((size_t)options->clumps, sizeof *bodies->clump, "clumps");
-    for (int k = 0; k < options->clumps; k++)
-        if (!clump_make(&bodies->clump[k], context->scene, k, &options->clump[k], &none))
-            error_fatal("%s", none.text); /* a file that has changed since the check */
+    bodies->shapes = shapes_count(options);
+    bodies->clump = memory_allocate_zero((size_t)bodies->shapes, sizeof *bodies->clump, "shapes of bodies");
+    bodies->entry = memory_allocate_zero((size_t)bodies->shapes, sizeof *bodies->entry, "shapes of bodies");
+    if (!shapes_make(context, bodies->clump, bodies->entry, &none))
+        error_fatal("%s", none.text); /* a file that has changed since the check */
+    if (options->rocks > 0)
+        bodies->rocks = rocks_create(context);
     grains_motion(context)->carried = &bodies->carried;
     return bodies;
 }
 
 static void destroy(void *self) {
     struct bodies *bodies = self;
-    for (int k = 0; k < bodies->options->clumps; k++)
-        clump_free(&bodies->clump[k]);
+    shapes_free(bodies->clump, bodies->shapes, bodies->entry);
     bodies_links_free(&bodies->links);
-    memory_free(bodies->clump);
+    rocks_free(&bodies->rocks);
     memory_free(bodies);
 }
 
@@ -100,11 +144,42 @@ static bool fill(const struct physics_context *context, const struct physics_sha
 }
 
 static void rebuilt(const struct physics_context *context) {
-    bodies_links_make(context->self, context);
+    struct bodies *bodies = context->self;
+    bodies_links_make(bodies, context);
+    if (bodies->rocks)
+        rocks_rebuilt(bodies, context);
 }
 
 static void step(const struct physics_context *context) {
-    bodies_motion_step(context->self, context);
+    struct bodies *bodies = context->self;
+    bodies_motion_step(bodies, context);
+    if (bodies->rocks)
+        rocks_turn(bodies, context->particles);
+}
+
+static bool has_rocks(const struct physics_context *context) {
+    return ((const struct bodies *)context->self)->rocks != NULL;
+}
+
+static void act(const struct physics_context *context) {
+    rocks_act(context->self, context);
+}
+
+static void sum(const struct physics_context *context) {
+    rocks_sum(context->self, context);
+}
+
+static struct history_rows *rows_of(const struct physics_context *context) {
+    return has_rocks(context) ? rocks_rows(context->self, context) : NULL;
+}
+
+/* The law leaves the contacts of balls around rocks to rocks_act. */
+static bool joined(const struct physics_context *context, size_t i, size_t j) {
+    return rocks_has(context->particles, i) || rocks_has(context->particles, j);
+}
+
+static bool alone(const struct physics_context *context, size_t i) {
+    return rocks_has(context->particles, i);
 }
 
 static void full_step(const struct physics_context *context) {
@@ -155,10 +230,23 @@ static void print_made(const struct physics_context *context, int number, FILE *
     }
 }
 
+static void print_rock(const struct clump *clump, const char *name, FILE *file) {
+    const struct solid *core = &clump->core;
+    fprintf(file,
+            "rocks '%s': %d corners, %d faces, rounding %.6g; as drawn: radius of the ball %.6g about %.6g "
+            "%.6g %.6g, "
+            "volume %.6g, moments of inertia over mass %.6g %.6g %.6g (of the sharp solid)\n",
+            name, core->corners, core->faces, clump->rounding, clump->extent, clump->centre[0],
+            clump->centre[1], clump->centre[2], clump->volume, clump->gyration[0], clump->gyration[1],
+            clump->gyration[2]);
+}
+
 static void print_shape(const struct physics_context *context, int k, FILE *file) {
     const struct bodies *bodies = context->self;
     const struct clump *clump = &bodies->clump[k];
-    if (context->comm->rank == 0) {
+    if (context->comm->rank == 0 && clump->core.corners > 0) {
+        print_rock(clump, bodies->entry[k]->name, file);
+    } else if (context->comm->rank == 0) {
         char how[96] = "none overlap";
         if (clump->overlap)
             snprintf(how, sizeof how, "some overlap (volume and inertia by quadrature)");
@@ -168,7 +256,7 @@ static void print_shape(const struct physics_context *context, int k, FILE *file
         fprintf(file,
                 "bodies '%s': %d spheres, %s; as drawn: radius of the ball %.6g about %.6g %.6g %.6g, volume "
                 "%.6g, moments of inertia over mass %.6g %.6g %.6g\n",
-                bodies->options->clump[k].name, clump->spheres, how, clump->extent, clump->centre[0],
+                bodies->entry[k]->name, clump->spheres, how, clump->extent, clump->centre[0],
                 clump->centre[1], clump->centre[2], clump->volume, clump->gyration[0], clump->gyration[1],
                 clump->gyration[2]);
     }
@@ -177,7 +265,7 @@ static void print_shape(const struct physics_context *context, int k, FILE *file
 
 static void print(const struct physics_context *context, FILE *file) {
     const struct bodies *bodies = context->self;
-    for (int k = 0; k < bodies->options->clumps; k++)
+    for (int k = 0; k < bodies->shapes; k++)
         print_shape(context, k, file);
     if (context->comm->rank == 0)
         fprintf(file,
@@ -190,9 +278,25 @@ static const struct physics_pass passes[] = {{.name = "bodies",
                                               .place = PASS_FIRST,
                                               .reads = "force torque",
                                               .writes = "position orientation",
-                                              .whole = step}};
+                                              .whole = step},
+                                             {.name = "rocks",
+                                              .does = "contacts of rocks",
+                                              .why = "bodies.shapes",
+                                              .place = PASS_SHARES,
+                                              .reads = "position velocity angular_velocity orientation",
+                                              .writes = "force torque",
+                                              .needed = has_rocks,
+                                              .whole = act},
+                                             {.name = "rocks_sum",
+                                              .why = "bodies.shapes",
+                                              .place = PASS_CLOSE,
+                                              .timer = "rocks",
+                                              .needed = has_rocks,
+                                              .whole = sum}};
 
 static const struct physics_maker maker = {.fill = fill};
+static const struct physics_rows rows = {.of = rows_of, .components = ROCKS_COMPONENTS};
+static const struct physics_joints joints = {.joined = joined, .joins = has_rocks, .alone = alone};
 static const struct physics_shown shown = {.full_step = full_step};
 
 const struct physics bodies_physics = {.name = "bodies",
@@ -205,4 +309,6 @@ const struct physics bodies_physics = {.name = "bodies",
                                        .print = print,
                                        .restart = restart,
                                        .maker = &maker,
+                                       .rows = &rows,
+                                       .joints = &joints,
                                        .shown = &shown};

@@ -29,16 +29,30 @@ static const struct schema_name size_names[] = {
                               "and walls of its source, and chooses the entry"},
     {0}};
 
+/* Keys of all entries: which grains become such bodies, and how they begin. */
+#define WHICH_ROWS(owner) \
+    {.key = "name", .type = SCHEMA_TEXT, .fallback = "body", AT(owner, entry.name), .help = "name, for messages", \
+     .example = "dumbbell"}, \
+    {.key = "material", .type = SCHEMA_REF, .target = "materials", AT(owner, entry.material), \
+     .help = "grains of this material become such bodies: each grain stands for the ball around its body, about the centre " \
+             "of mass; left out: the only material", .example = "glass"}, \
+    {.key = "radius_above", .type = SCHEMA_REAL, .unit = "m", .range = "[0, inf)", .fallback = "0", \
+     AT(owner, entry.radius_above), .help = "only grains of a larger radius than this", .example = "0.5 mm"}, \
+    {.key = "radius_upto", .type = SCHEMA_REAL, .unit = "m", .range = "(0, inf]", .fallback = ".inf", \
+     AT(owner, entry.radius_upto), .help = "only grains of this radius or less", .example = "1.5 mm"},
+#define HOW_ROWS(owner) \
+    {.key = "orientation", .type = SCHEMA_NAME, .names = orientation_names, .fallback = "random", \
+     AT(owner, entry.orientation), .help = "at the start"}, \
+    {.key = "quaternion", .type = SCHEMA_REALS, .when = "orientation=given", \
+     ARRAY_AT(owner, entry.quaternion, entry.quaternion_given), \
+     .help = "w x y z of the rotation from the frame of the entry to space; its length does not matter", \
+     .example = "[1, 0, 0, 0]"}, \
+    {.key = "angular_velocity", .type = SCHEMA_VECTOR, .unit = "rad/s", .fallback = "[0, 0, 0]", \
+     AT(owner, entry.angular_velocity), .help = "at the start, added to the omega of the source", \
+     .example = "[0, 0, 10]"},
+
 static const struct schema_row clump_rows[] = {
-    {.key = "name", .type = SCHEMA_TEXT, .fallback = "body", AT(struct clump_options, name), .help = "name, for messages",
-     .example = "dumbbell"},
-    {.key = "material", .type = SCHEMA_REF, .target = "materials", AT(struct clump_options, material),
-     .help = "grains of this material become such bodies: each grain stands for the ball around its body, about the centre "
-             "of mass; left out: the only material", .example = "glass"},
-    {.key = "radius_above", .type = SCHEMA_REAL, .unit = "m", .range = "[0, inf)", .fallback = "0",
-     AT(struct clump_options, radius_above), .help = "only grains of a larger radius than this", .example = "0.5 mm"},
-    {.key = "radius_upto", .type = SCHEMA_REAL, .unit = "m", .range = "(0, inf]", .fallback = ".inf",
-     AT(struct clump_options, radius_upto), .help = "only grains of this radius or less", .example = "1.5 mm"},
+    WHICH_ROWS(struct clump_options)
     {.key = "spheres", .type = SCHEMA_LIST, .sub = &sphere_table, ARRAY_AT(struct clump_options, sphere, spheres),
      .help = "the members; see `size`"},
     {.key = "file", .type = SCHEMA_PATH, AT(struct clump_options, file),
@@ -50,9 +64,9 @@ static const struct schema_row clump_rows[] = {
      .help = "number of spheres of a mesh, at most"},
     {.key = "scale", .type = SCHEMA_REAL, .range = "(0, inf)", .fallback = "1", AT(struct clump_options, scale),
      .help = "lengths of the file or mesh x this", .example = "0.001"},
-    {.key = "size", .type = SCHEMA_NAME, .names = size_names, .fallback = "grain", AT(struct clump_options, size),
+    {.key = "size", .type = SCHEMA_NAME, .names = size_names, .fallback = "grain", AT(struct clump_options, entry.size),
      .help = "size of the body; the centre of mass is at the centre of the grain in both cases"},
-    {.key = "mass", .type = SCHEMA_REAL, .unit = "kg", .range = "(0, inf)", AT(struct clump_options, mass),
+    {.key = "mass", .type = SCHEMA_REAL, .unit = "kg", .range = "(0, inf)", AT(struct clump_options, entry.mass),
      .help = "mass of the body in the size of the entry; left out: volume of its spheres together x density of its grain",
      .example = "3 g"},
     {.key = "centre", .type = SCHEMA_REALS, .unit = "m", ARRAY_AT(struct clump_options, centre, centre_given),
@@ -60,22 +74,61 @@ static const struct schema_row clump_rows[] = {
     {.key = "inertia", .type = SCHEMA_REALS, ARRAY_AT(struct clump_options, inertia, inertia_given),
      .help = "moments of inertia about the centre of mass xx yy zz xy xz yz, in kg m2; left out: those of a uniform density; "
              "needs mass", .example = "[2e-9, 2e-9, 1e-9, 0, 0, 0]"},
-    {.key = "orientation", .type = SCHEMA_NAME, .names = orientation_names, .fallback = "random",
-     AT(struct clump_options, orientation), .help = "at the start"},
-    {.key = "quaternion", .type = SCHEMA_REALS, .when = "orientation=given",
-     ARRAY_AT(struct clump_options, quaternion, quaternion_given),
-     .help = "w x y z of the rotation from the frame of the spheres to space; its length does not matter",
-     .example = "[1, 0, 0, 0]"},
-    {.key = "angular_velocity", .type = SCHEMA_VECTOR, .unit = "rad/s", .fallback = "[0, 0, 0]",
-     AT(struct clump_options, angular_velocity), .help = "at the start, added to the omega of the source",
-     .example = "[0, 0, 10]"},
+    HOW_ROWS(struct clump_options)
 };
 static const struct schema_table clump_table = TABLE(clump_rows);
 
+static const struct schema_name rock_size_names[] = {
+    {"grain", CLUMP_BY_GRAIN, "the rock is scaled, so that the ball around it has the radius of its grain"},
+    {"drawn", CLUMP_AS_DRAWN, "the rock has the size of the entry; the radius of the grain only keeps it from other grains and walls of its "
+                              "source, and chooses the entry"},
+    {0}};
+
+static const struct schema_row random_rows[] = {
+    {.key = "corners", .type = SCHEMA_INT, .range = "[6, 64]", .fallback = "20", AT(struct rock_options, draw.corners),
+     .help = "corners that are drawn on an ellipsoid, whose hull the rock is"},
+    {.key = "variants", .type = SCHEMA_INT, .range = "[1, 64]", .fallback = "8", AT(struct rock_options, draw.variants),
+     .help = "number of shapes, each drawn by the seed; a grain takes one by its id"},
+    {.key = "elongation", .type = SCHEMA_REAL, .range = "[0.1, 1]", .fallback = "0.8", AT(struct rock_options, draw.elongation),
+     .help = "middle axis of the ellipsoid over the longest one"},
+    {.key = "flatness", .type = SCHEMA_REAL, .range = "[0.1, 1]", .fallback = "0.8", AT(struct rock_options, draw.flatness),
+     .help = "shortest axis of the ellipsoid over the middle one"},
+};
+static const struct schema_table random_table = TABLE(random_rows);
+
+static const struct schema_row rock_rows[] = {
+    WHICH_ROWS(struct rock_options)
+    {.key = "vertices", .type = SCHEMA_REALS, .unit = "m", ARRAY_AT(struct rock_options, vertex, numbers),
+     .help = "x y z of each corner, one after another; the rock is their convex hull; see `size`",
+     .example = "[0, 0, 0, 1 mm, 0, 0, 0, 1 mm, 0, 0, 0, 1 mm]"},
+    {.key = "file", .type = SCHEMA_PATH, AT(struct rock_options, file),
+     .help = "instead: a closed convex surface of triangles, STL, OBJ, PLY or nine numbers a row", .example = "rock.stl"},
+    {.key = "scale", .type = SCHEMA_REAL, .range = "(0, inf)", .fallback = "1", AT(struct rock_options, scale),
+     .help = "lengths of the file x this", .example = "0.001"},
+    {.key = "hull", .type = SCHEMA_BOOL, .fallback = "false", AT(struct rock_options, hull),
+     .help = "the hull of the corners of the file is the rock, be the surface closed and convex or not"},
+    {.key = "random", .type = SCHEMA_SECTION, .sub = &random_table, .optional = true, .count_offset = offsetof(struct rock_options, random),
+     .help = "instead: a random rock"},
+    {.key = "rounding", .type = SCHEMA_REAL, .unit = "m", .range = "(0, inf)", AT(struct rock_options, rounding),
+     .help = "radius of edges and corners, in the size of the entry: faces stay, edges and corners are cut; left out: by roundness",
+     .example = "0.1 mm"},
+    {.key = "roundness", .type = SCHEMA_REAL, .range = "(0, 0.9]", .fallback = "0.1", AT(struct rock_options, draw.roundness),
+     .help = "without rounding: its radius over the distance from the centre of mass to the nearest face"},
+    {.key = "size", .type = SCHEMA_NAME, .names = rock_size_names, .fallback = "grain", AT(struct rock_options, entry.size),
+     .help = "size of the rock; the centre of mass is at the centre of the grain in both cases"},
+    {.key = "mass", .type = SCHEMA_REAL, .unit = "kg", .range = "(0, inf)", AT(struct rock_options, entry.mass),
+     .help = "mass of the body in the size of the entry; left out: volume x density of its grain",
+     .example = "3 g"},
+    HOW_ROWS(struct rock_options)
+};
+static const struct schema_table rock_table = TABLE(rock_rows);
+
 static const struct schema_row section[] = {
-    {.key = "clumps", .type = SCHEMA_LIST, .sub = &clump_table, .required = true,
+    {.key = "clumps", .type = SCHEMA_LIST, .sub = &clump_table,
      ARRAY_AT(struct bodies_options, clump, clumps),
-     .help = "shapes; a grain becomes the first whose material and radii fit, others stay spheres"},
+     .help = "bodies of spheres; a grain becomes the first whose material and radii fit, others stay spheres"},
+    {.key = "shapes", .type = SCHEMA_LIST, .sub = &rock_table, ARRAY_AT(struct bodies_options, rock, rocks),
+     .help = "rocks: convex bodies with flat faces; looked at after clumps"},
 };
 const struct schema_table bodies_schema = TABLE(section);
 /* clang-format on */

@@ -98,21 +98,21 @@ static bool overlaps(const struct clump *clump) {
 /* Replaces what the spheres give by what the entry gives. */
 static bool given_take(struct clump *clump, struct moments *moments, const struct scene *scene, int number,
                        const struct clump_options *options, struct error *error) {
-    clump->mass = options->mass;
+    clump->mass = options->entry.mass;
     if (options->centre_given != 0 && options->centre_given != 3)
         return refuse(scene, number, "centre", "needs three numbers", error);
     if (options->inertia_given != 0 && options->inertia_given != 6)
         return refuse(scene, number, "inertia", "needs six numbers: xx yy zz xy xz yz", error);
     if (options->centre_given && !options->inertia_given)
         return refuse(scene, number, "centre", "needs inertia, too: about this centre", error);
-    if (options->inertia_given && isnan(options->mass))
+    if (options->inertia_given && isnan(options->entry.mass))
         return refuse(scene, number, "inertia", "needs mass, too", error);
     if (options->centre_given)
         memcpy(moments->centre, options->centre, sizeof moments->centre);
     if (options->inertia_given) {
         static const int place[9] = {0, 3, 4, 3, 1, 5, 4, 5, 2};
         for (int k = 0; k < 9; k++)
-            moments->gyration[k] = options->inertia[place[k]] / options->mass;
+            moments->gyration[k] = options->inertia[place[k]] / options->entry.mass;
     }
     return true;
 }
@@ -227,6 +227,7 @@ bool clump_make(struct clump *clump, const struct scene *scene, int number,
 void clump_free(struct clump *clump) {
     memory_free(clump->sphere);
     memory_free(clump->share);
+    solid_free(&clump->core);
     *clump = (struct clump){0};
 }
 

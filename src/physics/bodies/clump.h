@@ -1,9 +1,11 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
-/* Clumps: the shapes of rigid bodies, as lists of spheres, with mass, centre of mass and moments of inertia. */
+/* The shapes of rigid bodies, with mass, centre of mass and moments of inertia: clumps, which are lists of spheres, and rocks
+ * (rock.h), which have a convex core instead. */
 #ifndef SCREE_BODIES_CLUMP_H
 #define SCREE_BODIES_CLUMP_H
 
 #include "physics/bodies/moments.h"
+#include "physics/bodies/shapes/solid.h"
 #include "data/scene/scene.h"
 
 enum { CLUMPS_MAX = 32, CLUMP_SPHERES_MAX = 32, CLUMP_PATH_MAX = 256 };
@@ -11,27 +13,32 @@ enum { CLUMPS_MAX = 32, CLUMP_SPHERES_MAX = 32, CLUMP_PATH_MAX = 256 };
 enum clump_orientation { CLUMP_RANDOM, CLUMP_GIVEN };
 enum clump_size { CLUMP_BY_GRAIN, CLUMP_AS_DRAWN };
 
-/* An entry of `bodies.clumps`. */
-struct clump_options {
+/* What entries of all shapes say: which grains become such bodies, and how they begin. */
+struct clump_entry {
     char name[SCENE_NAME_MAX];
     int material;                     /* grains of this material become such bodies; -1: the only one */
     double radius_above, radius_upto; /* of grains that become such bodies */
+    enum clump_size size;
+    double mass; /* NAN: from the density of the grains' material */
+    enum clump_orientation orientation;
+    int quaternion_given;
+    double quaternion[4];       /* w x y z */
+    double angular_velocity[3]; /* added to that of the grain, rad/time */
+};
+
+/* An entry of `bodies.clumps`. */
+struct clump_options {
+    struct clump_entry entry;
     int spheres;
     struct clump_sphere sphere[CLUMP_SPHERES_MAX];
     char file[CLUMP_PATH_MAX]; /* "": spheres are given; else rows of x y z radius */
     char mesh[CLUMP_PATH_MAX]; /* "": no mesh; else a closed surface, filled with spheres (inscribe.h) */
     int mesh_spheres;          /* at most */
     double scale;              /* lengths of the file or mesh x this */
-    enum clump_size size;
-    double mass; /* NAN: from the density of the grains' material */
     int centre_given;
     double centre[3]; /* of mass; NAN: by the spheres */
     int inertia_given;
     double inertia[6]; /* xx yy zz xy xz yz about the centre of mass; none given: by the spheres */
-    enum clump_orientation orientation;
-    int quaternion_given;
-    double quaternion[4];       /* w x y z */
-    double angular_velocity[3]; /* added to that of the grain, rad/time */
 };
 
 /* A shape in the frame of its principal axes, the centre of mass at the origin. Lengths are those of the scene's
@@ -50,6 +57,9 @@ struct clump {
         [9]; /* inertia over mass that the spheres' shares do not account for, row by row; 0 where none overlap */
     double axes[4]; /* turns this frame to that of the entry */
     bool overlap;
+    struct solid
+        core;        /* of a rock, in this frame: its one sphere is the ball around it. No corners: a clump */
+    double rounding; /* of a rock: it is all that is nearer than this to the core */
 };
 
 /* Makes a shape. Reads its file. False, with a user's error, where it cannot be one. clump_free releases it. */

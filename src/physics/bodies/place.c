@@ -4,6 +4,7 @@
 #include "physics/bodies/bodies_parts.h"
 #include "physics/grains/grains.h"
 #include "physics/bodies/bodies_fields.h"
+#include "physics/bodies/rocks.h"
 #include "physics/bodies/rotor.h"
 #include "kernel/particles/material.h"
 #include "kernel/particles/spin.h"
@@ -15,14 +16,36 @@
 #include <math.h>
 #include <string.h>
 
-int place_clump(const struct bodies_options *options, int material, double radius) {
-    for (int k = 0; k < options->clumps; k++) {
-        const struct clump_options *clump = &options->clump[k];
-        if ((clump->material < 0 || clump->material == material) && radius > clump->radius_above &&
-            radius <= clump->radius_upto)
+static bool entry_fits(const struct clump_entry *entry, int material, double radius) {
+    return (entry->material < 0 || entry->material == material) && radius > entry->radius_above &&
+           radius <= entry->radius_upto;
+}
+
+int place_entry(const struct bodies_options *options, int material, double radius) {
+    for (int k = 0; k < options->clumps; k++)
+        if (entry_fits(&options->clump[k].entry, material, radius))
             return k;
-    }
+    for (int k = 0; k < options->rocks; k++)
+        if (entry_fits(&options->rock[k].entry, material, radius))
+            return options->clumps + k;
     return -1;
+}
+
+/* The shape of grain i: of those of its entry, which stand one after another, one by its id. -1: none. */
+static int shape_of(const struct bodies *bodies, const struct physics_context *context, size_t i) {
+    const struct particles *p = context->particles;
+    int entry = place_entry(bodies->options, material_of(material_numbers(p), i), p->state[i].radius);
+    if (kinds_of(p)[i] != KIND_GRAIN || entry < 0)
+        return -1;
+    const int clumps = bodies->options->clumps;
+    int first = entry < clumps ? entry : clumps;
+    for (int k = clumps; k < entry; k++)
+        first += bodies_variants(&bodies->options->rock[k - clumps]);
+    if (entry < clumps)
+        return first;
+    struct random_sequence random =
+        random_sequence(context->scene->seed, RANDOM_SHAPE, (uint64_t)p->id[i] + ((uint64_t)1 << 32));
+    return first + (int)(random_uniform(&random) * bodies_variants(&bodies->options->rock[entry - clumps]));
 }
 
 /* Uniform over all rotations (Shoemake, Graphics Gems III (1992) 124); in two dimensions over the circle. */
@@ -41,7 +64,7 @@ static void orientation_draw(const struct scene *scene, int64_t id, double q[4])
     }
 }
 
-static void orientation_choose(const struct physics_context *context, const struct clump_options *options,
+static void orientation_choose(const struct physics_context *context, const struct clump_entry *options,
                                const struct clump *clump, int64_t id, double q[4]) {
     double norm = 0;
     if (options->orientation == CLUMP_RANDOM)
@@ -64,18 +87,18 @@ static void body_make(struct bodies *bodies, const struct physics_context *conte
     const struct integrator_motion *motion = group ? &grains_motion(context)->motion[group[i]] : NULL;
     double *omega = spin_of(p)[i], *spin = bodies_spin(p)[i], *q = bodies_orientation(p)[i], turn[9];
     double density = groups_mass(p, i) / particles_sphere_mass(state->radius, 1);
-    if (bodies->options->clump[number].size == CLUMP_AS_DRAWN)
+    if (bodies->entry[number]->size == CLUMP_AS_DRAWN)
         state->radius = clump->extent;
     double scale = state->radius / clump->extent;
     bodies_mass(p)[i] = clump_mass(clump, scale, density);
     bodies_part(p)[i] = number;
-    orientation_choose(context, &bodies->options->clump[number], clump, p->id[i], q);
+    orientation_choose(context, bodies->entry[number], clump, p->id[i], q);
     if (motion && motion->prescribed) {
         memcpy(state->v, motion->velocity, sizeof state->v);
         memcpy(omega, motion->omega, sizeof motion->omega);
     } else {
         for (int d = 0; d < 3; d++)
-            omega[d] += bodies->options->clump[number].angular_velocity[d];
+            omega[d] += bodies->entry[number]->angular_velocity[d];
     }
     memcpy(bodies_velocity(p)[i], state->v, sizeof state->v);
     rotor_matrix(q, turn);
@@ -136,14 +159,24 @@ static void member_append(const struct bodies *bodies, const struct physics_cont
     p->id[m] = id;
     carried_by(p)[m] = p->id[i];
     bodies_part(p)[m] = number;
+    if (bodies->rocks)
+        rocks_member(p, m, clump->core.corners > 0 ? bodies_part(p)[i] : -1, bodies_orientation(p)[i]);
 }
 
 /* Members that a body may have: ids of members follow those of all grains, as many for each grain. */
 static int64_t members_most(const struct bodies *bodies) {
     int most = 1;
-    for (int k = 0; k < bodies->options->clumps; k++)
+    for (int k = 0; k < bodies->shapes; k++)
         most = bodies->clump[k].spheres > most ? bodies->clump[k].spheres : most;
     return most;
+}
+
+/* True if a ball does not meet its own images. */
+static bool fits_box(const struct box *box, double radius) {
+    bool fits = true;
+    for (int d = 0; d < 3; d++)
+        fits = fits && !(box->periodic[d] && 2 * radius >= box->edge[d]);
+    return fits;
 }
 
 bool place_all(struct bodies *bodies, const struct physics_context *context,
@@ -153,14 +186,14 @@ bool place_all(struct bodies *bodies, const struct physics_context *context,
     const size_t grains = p->owned;
     size_t members = 0;
     for (size_t i = 0; i < grains; i++) {
-        int number = place_clump(bodies->options, material_of(material_numbers(p), i), p->state[i].radius);
-        if (kinds_of(p)[i] == KIND_GRAIN && number >= 0)
+        int number = shape_of(bodies, context, i);
+        if (number >= 0)
             members += (size_t)bodies->clump[number].spheres;
     }
     particles_reserve(p, grains + members);
     for (size_t i = 0; i < grains; i++) {
-        int number = place_clump(bodies->options, material_of(material_numbers(p), i), p->state[i].radius);
-        if (kinds_of(p)[i] != KIND_GRAIN || number < 0)
+        int number = shape_of(bodies, context, i);
+        if (number < 0)
             continue;
         if (p->id[i] >= room / most)
             return error_set(error, ERROR_USER,
@@ -168,6 +201,12 @@ bool place_all(struct bodies *bodies, const struct physics_context *context,
                              " spheres, whose ids would be above 2^62; give particles smaller ids",
                              p->id[i], most);
         body_make(bodies, context, i, number);
+        if (bodies->clump[number].core.corners > 0 && !fits_box(context->box, p->state[i].radius))
+            return error_set(error, ERROR_USER,
+                             "bodies.shapes: particle %" PRId64
+                             " becomes a rock in a ball of radius %.6g, which is as "
+                             "large as a periodic edge of the box: it would meet itself",
+                             p->id[i], p->state[i].radius);
         for (int k = 0; k < bodies->clump[number].spheres; k++)
             member_append(bodies, context, i, k, share->first_id + p->id[i] * most + k);
         kinds_of(p)[i] = KIND_BODY;

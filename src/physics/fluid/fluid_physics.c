@@ -30,7 +30,7 @@ static double range(const void *context, int kind_a, double radius_a, int kind_b
         return -INFINITY;
     if (!fluid) /* a boundary particle finds its grain */
         return 0;
-    if (grain && fluid_rigid(own->options)) /* nodes of the solid (solid.h) */
+    if (grain && fluid_rigid(own->options)) /* nodes of the solid (solid_field.h) */
         return SOLID_EDGE * own->options->spacing - (kind_a == KIND_GRAIN ? radius_b : radius_a);
     if (grain)
         return support - (kind_a == KIND_GRAIN ? radius_b : radius_a);

@@ -17,6 +17,14 @@ struct force_context *grains_contact(const struct physics_context *context) {
     return &grains_of(context->set)->contact;
 }
 
+const struct pairlist *grains_list(const struct physics_context *context) {
+    const struct physics_set *set = context->set;
+    for (int k = 0; k < set->count; k++)
+        if (set->active[k].row == &grains_physics)
+            return set->active[k].context.list[0];
+    return NULL;
+}
+
 struct integrator_context *grains_motion(const struct physics_context *context) {
     return &grains_of(context->set)->motion;
 }

@@ -42,7 +42,6 @@ struct grains {
     struct force_context contact;
     struct force_exact *exact;        /* by thread: sums that no layout changes; NULL: not wanted */
     struct force_sums sums;           /* of the last evaluation, this rank's part */
-    bool known;                       /* there was one */
     bool warned;                      /* of an overlap */
     double taken;                     /* sum of force_sums.taken since the start, this rank's part */
     struct wall_push push[WALLS_MAX]; /* of walls with servos */
@@ -68,6 +67,9 @@ struct walls *grains_walls(const struct physics_context *context);
 
 /* The contacts: a physics may ask for their work in its `create`. */
 struct force_context *grains_contact(const struct physics_context *context);
+
+/* The pair list of the contacts, new after each rebuild. */
+const struct pairlist *grains_list(const struct physics_context *context);
 
 /* The motion of groups; a physics that carries grains sets `carried`. */
 struct integrator_context *grains_motion(const struct physics_context *context);

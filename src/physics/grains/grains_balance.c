@@ -27,7 +27,6 @@ static void name_partner(const struct physics_context *context, int64_t id, char
 void grains_guard(const struct physics_context *context, struct error *error) {
     struct grains *grains = context->self;
     const struct scene_guards *guards = &context->scene->guards;
-    grains->known = true;
     if (guards->overlap == SCENE_GUARD_OFF || !(grains->sums.overlap_max > guards->overlap_bound))
         return;
     char text[640], one[TRIP_NAME_MAX], other[TRIP_NAME_MAX];

@@ -4,7 +4,6 @@
 #include "physics/grains/grains_own.h"
 #include "engine/report_part.h"
 #include "kernel/pairs/skin.h"
-#include "kernel/pairs/sweep.h"
 #include "kernel/pairs/walk.h"
 #include "kernel/particles/kinds.h"
 #include <assert.h>
@@ -41,14 +40,10 @@ static double speed_from_flow(const struct physics_context *context, size_t firs
 static double advance(const struct physics_context *context, int thread, size_t first, size_t last,
                       int size_class) {
     const struct grains *grains = context->self;
-    const struct ring *ring = context->evaluation->ring;
     (void)thread;
     if (context->classes->kind[size_class] != KIND_GRAIN)
         return 0;
-    struct particles particles = *context->particles;
-    if (ring) /* rows of one chunk of the sweep */
-        particles.force += ring->shift[first / SWEEP_CHUNK] * (ptrdiff_t)particles.force_stride;
-    double v2 = integrator_advance(&particles, &grains->motion, first, last);
+    double v2 = integrator_advance(context->particles, &grains->motion, first, last);
     return context->box->motion.moves ? speed_from_flow(context, first, last, 0 * v2) : v2;
 }
 
@@ -152,7 +147,6 @@ static const struct physics_pass passes[] = {
      .place = PASS_SHARES,
      .reads = "position velocity radius inverse_mass",
      .writes = "force",
-     .at_end = true,
      .needed = needs_walls,
      .share = wall},
     {.name = "finish",
@@ -160,7 +154,6 @@ static const struct physics_pass passes[] = {
      .place = PASS_CLOSE,
      .timer = "contact",
      .writes = "force",
-     .at_end = true,
      .needed = needs_contacts,
      .whole = finish},
 };
@@ -184,6 +177,16 @@ static bool joined(const void *set, size_t i, size_t j) {
     return false;
 }
 
+/* True if a physics has the contacts of a particle with walls. */
+static bool alone(const void *set, size_t i) {
+    PHYSICS_EACH (active, set, joints) {
+        const struct physics_joints *joints = active->row->joints;
+        if (joints->alone && joints->joins(&active->context) && joints->alone(&active->context, i))
+            return true;
+    }
+    return false;
+}
+
 static bool may_join(const struct physics_set *set) {
     bool joins = false;
     PHYSICS_EACH (active, set, joints)
@@ -201,6 +204,7 @@ static void rebuilt(const struct physics_context *context) {
             grains->contact.range =
                 fmax(grains->contact.range, classes_range_of(context->classes, &reach, a, b));
     grains->contact.joined = may_join(context->set) ? joined : NULL;
+    grains->contact.alone = may_join(context->set) ? alone : NULL;
     grains->contact.joined_context = context->set;
     if (grains->loop)
         force_loop_prepare(grains->loop, &grains->contact);
@@ -228,15 +232,14 @@ static void restart(const struct physics_context *context, struct restart *list)
 static void prepare(const struct physics_context *context) {
     struct grains *grains = context->self;
     const struct evaluation *evaluation = context->evaluation;
-    grains->motion.dt = context->clock->dt;
+    grains->motion.dt = context->set->mover->row->mover->stagger ? context->clock->dt : 0;
     grains->contact.list = context->list[0];
     grains->contact.dt = evaluation->dt;
-    grains->contact.ring = evaluation->ring;
     grains->contact.want_virial = evaluation->virial;
     grains->contact.want_sums = evaluation->sums || evaluation->virial || grains->contact.want_work;
 }
 
-static void shift(const struct physics_context *context, double dt) {
+static void stagger(const struct physics_context *context, double dt) {
     const struct grains *grains = context->self;
     struct kind_span all = {0, context->particles->owned};
     struct integrator_context motion = grains->motion;
@@ -255,12 +258,6 @@ static void begin(const struct physics_context *context) {
     grains->taken = 0;
     grains->stable.overlap_started = grains->sums.overlap_max;
     comm_max(context->comm, &grains->stable.overlap_started, 1);
-    shift(context, context->clock->dt);
-}
-
-static double overlap(const struct physics_context *context) {
-    const struct grains *grains = context->self;
-    return grains->known ? grains->sums.overlap_max : INFINITY;
 }
 
 static size_t contacts(const struct physics_context *context) {
@@ -304,11 +301,10 @@ static void report(const struct physics_context *context, struct report_part *pa
 
 static const struct physics_mover mover = {.prepare = prepare,
                                            .begin = begin,
-                                           .shift = shift,
+                                           .stagger = stagger,
                                            .expected = stable_find,
                                            .why = stable_why,
                                            .fraction = timestep_default_fraction,
-                                           .overlap = overlap,
                                            .contacts = contacts,
                                            .stress = stress,
                                            .energies = grains_energies,

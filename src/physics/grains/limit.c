@@ -74,13 +74,15 @@ static double eigenvalue_at(const struct physics_context *context, double h) {
     if (context->ghosts && context->scene->ghosts.newton)
         sums_home(context, &stability);
     PHYSICS_EACH (active, context->set, joints)
-        active->row->joints->stiffen(&active->context, &stability);
+        if (active->row->joints->stiffen)
+            active->row->joints->stiffen(&active->context, &stability);
     stability_solve(&stability, context->particles);
     if (context->ghosts)
         local_out(context, &stability);
     double worst = stability_worst(&stability, &grains->contact);
     PHYSICS_EACH (active, context->set, joints)
-        worst = fmax(worst, active->row->joints->stiffest(&active->context, &stability));
+        if (active->row->joints->stiffest)
+            worst = fmax(worst, active->row->joints->stiffest(&active->context, &stability));
     stability_free(&stability);
     comm_max(context->comm, &worst, 1);
     return worst;

@@ -23,10 +23,6 @@ static bool needed(const struct physics_context *context) {
     return grains_walls(context) && grains_touch(context);
 }
 
-static size_t near(const struct physics_context *context, const uint32_t **number) {
-    return needed(context) ? walls_candidates(grains_walls(context), number) : 0;
-}
-
 /* The motion of walls is bounded in the region of the particles, including particles outside an open box. */
 static void walls_reach(const struct physics_context *context, struct walls *walls) {
     const struct particles *particles = context->particles;
@@ -87,7 +83,6 @@ static void sound(const struct physics_context *context, struct error *error) {
 const struct physics_obstacles grains_obstacles = {.taken = taken,
                                                    .displacement = displacement,
                                                    .work = work,
-                                                   .near = near,
                                                    .needed = needed,
                                                    .search = search,
                                                    .detach = detach,

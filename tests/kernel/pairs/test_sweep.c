@@ -1,12 +1,11 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
-/* The plans of the fused sweep and of the ring on any number of threads, with ghosts and busy particles: every particle
- * moves once, and before or after it is read; no two forces share a record. */
+/* The plan of the fused sweep on any number of threads, with ghosts and busy particles: every particle moves once, and before
+ * it is read. */
 #include "tests/test.h"
 
 #include "base/memory.h"
 #include "base/random.h"
 #include "kernel/pairs/pairlist.h"
-#include "kernel/pairs/ring.h"
 #include "kernel/pairs/sweep.h"
 #include "kernel/pairs/classes_choose.h"
 #include <omp.h>
@@ -64,15 +63,11 @@ static void cloud_search(struct cloud *c, int threads, bool newton) {
     pairlist_build(c->list, c->index, &c->view, &c->box);
 }
 
-static const struct sweep_numbers none[2];
-
-static void cloud_free(struct cloud *c, struct sweep **sweep, struct ring **ring) {
+static void cloud_free(struct cloud *c, struct sweep **sweep) {
     pairlist_destroy(&c->list);
     index_destroy(&c->index);
     particles_destroy(&c->particles);
     sweep_destroy(sweep);
-    if (ring)
-        ring_destroy(ring);
 }
 
 static int block_of_row(const struct pairlist *list, uint32_t row) {
@@ -98,7 +93,6 @@ static void check_gaps(const struct sweep *sweep, const struct pairlist *list) {
 static void check_plan(int threads, size_t ghosts, bool newton) {
     struct cloud c = {0};
     struct sweep *sweep = sweep_create(threads);
-    struct ring *ring = ring_create(threads);
     uint32_t originals[ORIGINALS];
     char why[200] = "";
     cloud_fill(&c, ghosts);
@@ -107,13 +101,10 @@ static void check_plan(int threads, size_t ghosts, bool newton) {
         originals[k] = 7 * k;
     size_t count = ghosts > 0 ? ORIGINALS : 0;
     for (int again = 0; again < 2; again++) {
-        sweep_build(sweep, c.list, c.particles->owned, (struct sweep_numbers[2]){{originals, count}});
+        sweep_build(sweep, c.list, c.particles->owned, originals, count);
         if (!sweep_valid(sweep, c.list, c.particles->owned, why, sizeof why))
             fail_msg("%d threads: %s", threads, why);
         check_gaps(sweep, c.list);
-        ring_build(ring, sweep, c.list, c.particles->owned, CLOUD);
-        if (!ring_valid(ring, sweep, c.list, c.particles->owned, CLOUD, why, sizeof why))
-            fail_msg("%d threads: %s", threads, why);
     }
     for (size_t k = 0; k < count; k++)
         assert_true(sweep->early[originals[k]]);
@@ -124,7 +115,7 @@ static void check_plan(int threads, size_t ghosts, bool newton) {
         assert_int_equal(early, 0);
     if (threads > 1)
         assert_true(early > LARGE);
-    cloud_free(&c, &sweep, &ring);
+    cloud_free(&c, &sweep);
 }
 
 static void test_plan(void **state) {
@@ -148,7 +139,7 @@ static void test_wrong_plan(void **state) {
     char why[200] = "";
     cloud_fill(&c, 0);
     cloud_search(&c, 2, true);
-    sweep_build(sweep, c.list, c.particles->owned, none);
+    sweep_build(sweep, c.list, c.particles->owned, NULL, 0);
     assert_true(sweep_valid(sweep, c.list, c.particles->owned, why, sizeof why));
     struct sweep_thread *thread = &sweep->thread[1];
     thread->early_count--;
@@ -158,50 +149,7 @@ static void test_wrong_plan(void **state) {
     for (size_t b = 0; b < blocks; b++)
         thread->start[b] = 0; /* all at the last block */
     assert_false(sweep_valid(sweep, c.list, c.particles->owned, why, sizeof why));
-    cloud_free(&c, &sweep, NULL);
-}
-
-/* A row of spheres, in order: forces borrow records, and a plan in which they must not is told from a right one. */
-static void test_records(void **state) {
-    (void)state;
-    enum { ROW = 40 * SWEEP_CHUNK };
-    for (int threads = 1; threads <= 3; threads++) {
-        struct cloud c = {.box = {.dimension = 3, .edge = {ROW, 9, 9}}, .particles = particles_create(ROW)};
-        struct sweep *sweep = sweep_create(threads);
-        struct ring *ring = ring_create(threads);
-        char why[200] = "";
-        c.classes =
-            (struct size_classes){.count = 1, .radius_min = {0.5}, .radius_max = {0.5}, .margin = {{0.2}}};
-        for (size_t k = 0; k < ROW; k++) {
-            size_t i = particles_append(c.particles);
-            c.particles->state[i] = (struct particle_state){.x = {(double)k + 0.5, 1, 1}, .radius = 0.5};
-            c.particles->id[i] = (int64_t)k + 1;
-        }
-        cloud_search(&c, threads, true);
-        assert_int_equal(c.list->primary_count, ROW - 1);
-        sweep_build(sweep, c.list, ROW, none);
-        ring_build(ring, sweep, c.list, ROW, ROW);
-        if (!ring_valid(ring, sweep, c.list, ROW, ROW, why, sizeof why))
-            fail_msg("%d threads: %s", threads, why);
-        size_t borrowed = 0, again = 0;
-        for (int t = 0; t < threads; t++)
-            borrowed += ring->thread[t].borrowed;
-        for (size_t g = 1; g < ROW / SWEEP_CHUNK; g++)
-            again += ring->shift[g] != 0;
-        assert_int_equal(borrowed, again);
-        assert_true(borrowed >= ROW / SWEEP_CHUNK - 6 * (size_t)threads);
-        ring->shift[1] =
-            -SWEEP_CHUNK; /* the records of the grain before, which still waits for its last pair */
-        assert_false(ring_valid(ring, sweep, c.list, ROW, ROW, why, sizeof why));
-        ring->shift[1] = 0;
-        assert_true(ring_valid(ring, sweep, c.list, ROW, ROW, why, sizeof why));
-        size_t *start = ring->thread[0].start, block = 1;
-        while (start[block + 1] == 0)
-            block++;
-        start[block] = start[block + 1]; /* the first to move do so one block too early */
-        assert_false(ring_valid(ring, sweep, c.list, ROW, ROW, why, sizeof why));
-        cloud_free(&c, &sweep, &ring);
-    }
+    cloud_free(&c, &sweep);
 }
 
 static void test_empty(void **state) {
@@ -212,10 +160,10 @@ static void test_empty(void **state) {
     cloud_fill(&c, 0);
     c.particles->owned = 0;
     cloud_search(&c, 2, true);
-    sweep_build(sweep, c.list, 0, none);
+    sweep_build(sweep, c.list, 0, NULL, 0);
     assert_true(sweep_valid(sweep, c.list, 0, why, sizeof why));
-    cloud_free(&c, &sweep, NULL);
+    cloud_free(&c, &sweep);
 }
 
 TEST_MAIN(sweep, cmocka_unit_test(test_plan), cmocka_unit_test(test_plan_with_ghosts),
-          cmocka_unit_test(test_wrong_plan), cmocka_unit_test(test_records), cmocka_unit_test(test_empty))
+          cmocka_unit_test(test_wrong_plan), cmocka_unit_test(test_empty))

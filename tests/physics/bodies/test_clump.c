@@ -12,7 +12,7 @@
 static const struct scene space = {.box = {.dimension = 3}};
 
 static struct clump_options of_spheres(int spheres, const double (*sphere)[4]) {
-    struct clump_options options = {.spheres = spheres, .scale = 1, .mass = NAN};
+    struct clump_options options = {.spheres = spheres, .scale = 1, .entry = {.mass = NAN}};
     for (int k = 0; k < spheres; k++) {
         memcpy(options.sphere[k].centre, sphere[k], sizeof options.sphere[k].centre);
         options.sphere[k].radius = sphere[k][3];
@@ -66,7 +66,7 @@ static void given_centre(void **state) {
     struct clump clump;
     struct error error = {0};
     (void)state;
-    options.mass = 4;
+    options.entry.mass = 4;
     options.centre_given = 3;
     options.centre[0] = 0.5;
     options.inertia_given = 6;
@@ -94,7 +94,7 @@ static void refused(void **state) {
     assert_non_null(strstr(error.text, "bodies.clumps[3].spheres: in two dimensions"));
     clump_free(&clump);
     options = of_spheres(2, far);
-    options.mass = 1;
+    options.entry.mass = 1;
     options.inertia_given = 6;
     memcpy(options.inertia, (double[6]){1, 1, 3, 0, 0, 0}, sizeof options.inertia);
     error = (struct error){0};

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* One sweep: the pushes of all pairs, then the moves. Read push.h and relax.h first. */
-#include "data/scene/pack/push.h"
+#include "data/scene/pack/relax.h"
 
 #include "base/memory.h"
 

@@ -2,7 +2,6 @@
 /* Repeats sweeps until nothing overlaps. Read relax.h first. */
 #include "data/scene/pack/relax.h"
 
-#include "data/scene/pack/push.h"
 #include "data/scene/pack/pack_search.h"
 
 /* Displacement of a sweep, in units of the one that brings the stiffest direction to rest. */

@@ -11,10 +11,11 @@
  *
  * Pushes are summed as whole numbers, and both sides of a pair round alike. So the sums, and with them every
  * position, are the same bits for any number of threads and any order in memory. */
-#ifndef SCREE_PACK_RELAX_H
-#define SCREE_PACK_RELAX_H
+#ifndef SCREE_DATA_SCENE_PACK_RELAX_H
+#define SCREE_DATA_SCENE_PACK_RELAX_H
 
 #include "base/error.h"
+#include "data/scene/pack/pack_search.h"
 #include "data/scene/pack/pile.h"
 
 /* State of a relaxation. */
@@ -39,5 +40,35 @@ struct relax_options {
  * is that of the end: its overlap comes from a new search. Opens its own thread team. */
 bool relax_run(const struct pile *pile, const struct relax_options *options, struct relax_state *state,
                struct error *error);
+
+/* One sweep of the relaxation. See relax.h. */
+
+/* The pushes on a particle in whole numbers: the sum of stiffness times distance, the sum of stiffnesses and
+ * the largest one. */
+struct push_sum {
+    int64_t push[3], stiffness, stiffest;
+};
+
+struct pushes {
+    double smallest;        /* radius */
+    double gap;             /* between spheres, as part of the sum of their radii */
+    struct push_sum *sum;   /* of each particle */
+    struct push_sum **slot; /* of each thread, for the busy particles of the pair list */
+    size_t slots;           /* in each of them */
+    int threads;
+};
+
+/* Makes the scratch of sweeps over `count` particles, the smallest of radius `smallest`. Destroy frees it and
+ * nulls the pointer. */
+struct pushes *push_create(size_t count, double smallest, double gap, int threads);
+void push_destroy(struct pushes **pushes);
+
+/* Adds up the pushes of all pairs. Returns the largest overlap, relative to the smaller radius; 0 if there is
+ * none. Opens its own thread team. */
+double push_all(struct pushes *pushes, const struct pack_search *search);
+
+/* Moves all particles by `factor` times their pushes, within their regions, and clears the pushes; `largest` gets the largest
+ * displacement of each class. Opens its own thread team. */
+void push_move(struct pushes *pushes, const struct pile *pile, double factor, double largest[CLASS_MAX]);
 
 #endif

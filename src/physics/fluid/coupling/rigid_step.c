@@ -44,8 +44,8 @@ static struct solid_places places_of(const struct physics_context *context) {
 static void solid_fill(const struct physics_context *context) {
     const struct fluid *fluid = context->self;
     struct solid_places places = places_of(context);
-    solid_make(&fluid->rigid->solid, &places, fluid->weights.rows,
-               rigid_fields_solid(context->particles) + fluid->weights.first);
+    solid_field_make(&fluid->rigid->solid, &places, fluid->weights.rows,
+                     rigid_fields_solid(context->particles) + fluid->weights.first);
 }
 
 /* Memory for the nodes and grains of this step. */
@@ -111,7 +111,7 @@ static void moments_find(const struct work *work) {
 
 /* The momenta of v, and those about the centres, of all grains. v[k] is by node of the solid. Collective. */
 static void momenta_find(const struct work *work, const double (*v)[3]) {
-    const struct solid *solid = &work->rigid->solid;
+    const struct solid_field *solid = &work->rigid->solid;
     double(*load)[6] = fluid_load(work->context->particles);
     sums_clear(work);
     for (size_t node = 0; node < solid->nodes; node++)
@@ -198,7 +198,7 @@ static void motions_find(const struct work *work) {
 
 /* out[node] = the forcing that goes with v: which becomes it. Collective. */
 static void forcing_find(const struct work *work, double (*v)[3]) {
-    const struct solid *solid = &work->rigid->solid;
+    const struct solid_field *solid = &work->rigid->solid;
     const double(*found)[6] = (const double(*)[6])rigid_fields_found(work->context->particles);
     momenta_find(work, (const double(*)[3])v);
     motions_find(work);
@@ -215,14 +215,14 @@ static void forcing_find(const struct work *work, double (*v)[3]) {
     }
 }
 
-static size_t row_of(const struct solid *solid, size_t node) {
+static size_t row_of(const struct solid_field *solid, size_t node) {
     return solid->part[solid->start[node]].row;
 }
 
 /* v = w - dt / rho grad phi at the nodes of grains, phi in flow->increment. Collective. */
 static void bare_find(const struct work *work, double (*v)[3]) {
     struct projection *projection = work->fluid->projection;
-    const struct solid *solid = &work->rigid->solid;
+    const struct solid_field *solid = &work->rigid->solid;
     flow_forward(work->flow, FLOW_INCREMENT);
     operators_gradient(work->flow->weights, flow_increment(work->flow), projection->gradient);
     for (size_t node = 0; node < solid->nodes; node++) {
@@ -234,7 +234,7 @@ static void bare_find(const struct work *work, double (*v)[3]) {
 
 /* flow->predicted = w + q. */
 static void predicted_set(const struct work *work) {
-    const struct solid *solid = &work->rigid->solid;
+    const struct solid_field *solid = &work->rigid->solid;
     size_t first = work->flow->weights->first;
     memcpy(work->flow->predicted + 3 * first, work->rigid->bare,
            work->rigid->rows * sizeof *work->rigid->bare);
@@ -285,7 +285,7 @@ static void doubt(const struct work *work, double lack, double wanted) {
 /* The fixed point of q. False, with an error, if a solver failed. Collective. */
 static bool forcing_loop(const struct work *work, struct error *error) {
     struct rigid *rigid = work->rigid;
-    const struct solid *solid = &rigid->solid;
+    const struct solid_field *solid = &rigid->solid;
     bare_find(work, rigid->try);
     forcing_find(work, rigid->try);
     double wanted = RIGID_TOLERANCE * speed_of(work), lack = INFINITY;
@@ -313,7 +313,7 @@ static bool forcing_loop(const struct work *work, struct error *error) {
 /* At the start the fluid in grains moves with them. Collective. */
 static void flow_begin(const struct work *work) {
     const struct physics_context *context = work->context;
-    const struct solid *solid = &work->rigid->solid;
+    const struct solid_field *solid = &work->rigid->solid;
     struct particles *p = context->particles;
     for (size_t i = work->grains.first; i < work->grains.end; i++)
         memcpy(rigid_fields_found(p)[i], rigid_fields_motion(p)[i], sizeof rigid_fields_found(p)[i]);
@@ -441,7 +441,7 @@ void rigid_step_look(const struct physics_context *context) {
 }
 
 void rigid_step_free(struct rigid *rigid) {
-    solid_free(&rigid->solid);
+    solid_field_free(&rigid->solid);
     anderson_free(&rigid->anderson);
     memory_free(rigid->bare);
     memory_free(rigid->try);

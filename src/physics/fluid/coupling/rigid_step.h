@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
-/* A step of a fluid that fills the whole box, grains included (solid.h), on a lattice at rest: inside of grains the flow is rigid. Forcing and pressure
+/* A step of a fluid that fills the whole box, grains included (solid_field.h), on a lattice at rest: inside of grains the flow is rigid. Forcing and pressure
  * are found together; projection.h has the scheme without them:
  *
  *   (1 - theta dt nu div grad) u* = u^n + dt [(1 - theta) nu div grad u^n - A - grad p / rho + f / rho] + q^n,   w = u* - q^n
@@ -14,7 +14,7 @@
 
 #include "engine/physics.h"
 #include "physics/fluid/coupling/rigid_grains.h"
-#include "physics/fluid/coupling/solid.h"
+#include "physics/fluid/coupling/solid_field.h"
 #include "physics/fluid/schemes/anderson.h"
 
 #define RIGID_TOLERANCE 1e-3
@@ -22,7 +22,7 @@ enum { RIGID_ITERATIONS = 12 };
 
 /* What a step keeps in memory; all owned. */
 struct rigid {
-    struct solid solid;
+    struct solid_field solid;
     struct anderson anderson;
     size_t rows, parts_room, grains;
     double (*bare)[3];              /* w, by row of the weights */

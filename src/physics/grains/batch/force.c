@@ -96,7 +96,6 @@ static struct walk_work force_work(const struct force_context *context) {
                              .history = context->history,
                              .target = particles->force,
                              .stride = (size_t)particles->force_stride,
-                             .ring = context->ring,
                              .radii = true,
                              .range = context->range,
                              .waits = force_waits(context->law),

@@ -63,8 +63,7 @@ struct force_context {
     const struct pairlist *list;
     struct history *history; /* NULL where the law has none */
     const struct law *law;
-    const struct ring *ring; /* of walk_work */
-    double range;            /* how far beyond touch contacts reach, at most */
+    double range;     /* how far beyond touch contacts reach, at most */
     double dt;        /* time step of the histories; 0 in the first evaluation of a run: the histories stay */
     bool want_sums;   /* fill the energies of the sums; contacts and overlap_max always are */
     bool want_virial; /* fill the virial; only with want_sums */
@@ -84,7 +83,9 @@ struct force_context {
     const void *solver;
     /* True if two particles of the list have no contact, whatever their distance; any thread. NULL: all have. */
     bool (*joined)(const void *context, size_t i, size_t j);
-    const void *joined_context;
+    /* True if a physics has the contacts of a particle with walls; any thread. NULL: none has. */
+    bool (*alone)(const void *context, size_t i);
+    const void *joined_context; /* of both */
 };
 
 /* A force loop's own memory (slots, batches of each thread), and the compiled kernel that the loop runs: the

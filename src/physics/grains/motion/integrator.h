@@ -34,7 +34,7 @@ struct integrator_motion {
 
 /* Data of a pass besides the particles. */
 struct integrator_context {
-    double dt;
+    double dt; /* of a step; 0: the stored velocities are those of the full step */
     double gravity[3];
     int dimension;
     const struct carried *carried; /* grains that bodies carry; NULL: none */

@@ -216,10 +216,6 @@ size_t walls_open_edges(const struct walls *walls, int wall);
  * team. */
 void walls_build(struct walls *walls, const struct particles *particles, const struct size_classes *classes);
 
-/* The owned particles near walls, on which alone walls act until the next walls_build: their number, and in
- * `number` their numbers, increasing; borrowed. */
-size_t walls_candidates(const struct walls *walls, const uint32_t **number);
-
 /* Forces of walls on thread `thread`'s share of the owned particles near walls, like ones for all threads;
  * adds to particles.force. Each thread's once an evaluation, in any order; many threads at once. */
 void walls_force_share(struct walls *walls, const struct force_context *context, int thread);
@@ -273,9 +269,17 @@ typedef void walls_visitor(void *context, const struct wall_place *place);
 void walls_visit(const struct walls *walls, const struct particles *particles, int thread, double range,
                  walls_visitor *visitor, void *context);
 
-/* Adds a force on the wall at such a place to the loads of the evaluation that walls_finish ends, where these
- * are not summed exactly. Many threads at once, with different `thread`. */
+/* Adds a force on the wall at such a place to the loads of the evaluation that walls_finish ends. Many threads at once, with
+ * different `thread`. */
 void walls_push(struct walls *walls, int thread, const struct wall_place *place, const double force[3]);
+
+/* A plane as it stands now, box-relative, its normal towards the particles; false: the wall has another shape. Any thread. */
+bool walls_plane(const struct walls *walls, int wall, double point[3], double normal[3]);
+
+/* Velocity of the surface of a wall at a place of it, and its spin, in the last half step; `normal` of the wall there. Any
+ * thread. */
+void walls_surface_motion(const struct walls *walls, int wall, const double at[3], const double normal[3],
+                          double velocity[3], double spin[3]);
 
 /* What one contact does to a wall. */
 struct wall_load {

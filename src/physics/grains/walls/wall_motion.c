@@ -7,8 +7,8 @@
 
 enum { TABLE_COLUMNS = 7 };
 
-struct wall_mover {
-    int motions;
+struct wall_motions {
+    int count;
     struct wall_motion motion[WALL_MOTIONS_MAX]; /* points box-relative, directions of length 1 */
     struct numbers table[WALL_MOTIONS_MAX];      /* TABLE: rows t x y z a b c */
 };
@@ -133,8 +133,8 @@ static double wave_rate(const struct wall_motion *motion, double t, double durat
     return motion->amplitude * 2.0 * cos(middle) * sin(turn * duration) / dt;
 }
 
-static struct wall_transform motion_place(const struct wall_mover *mover, int k, double t, double servo) {
-    const struct wall_motion *motion = &mover->motion[k];
+static struct wall_transform motion_place(const struct wall_motions *motions, int k, double t, double servo) {
+    const struct wall_motion *motion = &motions->motion[k];
     struct law_vector axis = wall_vector(motion->direction), point = wall_vector(motion->point), value[2];
     if (motion->surface)
         return wall_transform_identity();
@@ -153,7 +153,7 @@ static struct wall_transform motion_place(const struct wall_mover *mover, int k,
     case WALL_TABLE:
         break;
     }
-    table_value(&mover->table[k], t, value);
+    table_value(&motions->table[k], t, value);
     double angle = sqrt(law_dot(value[1], value[1]));
     axis = angle > 0.0 ? law_scale(1.0 / angle, value[1]) : (struct law_vector){0.0, 0.0, 1.0};
     struct wall_transform turn = transform_turn(axis, angle, point), shift = transform_shift(value[0]);
@@ -166,9 +166,9 @@ static struct wall_twist twist_about(struct law_vector omega, struct law_vector 
     return (struct wall_twist){.velocity = law_add(velocity, 1.0, law_cross(point, omega)), .omega = omega};
 }
 
-static struct wall_twist motion_twist(const struct wall_mover *mover, int k, double t, double dt,
+static struct wall_twist motion_twist(const struct wall_motions *motions, int k, double t, double dt,
                                       double servo) {
-    const struct wall_motion *motion = &mover->motion[k];
+    const struct wall_motion *motion = &motions->motion[k];
     struct law_vector axis = wall_vector(motion->direction), point = wall_vector(motion->point);
     struct law_vector rest = {0.0, 0.0, 0.0}, value[2], rate[2];
     double begin = motion_time(motion, t), duration = motion_duration(motion, t, dt), active = duration / dt;
@@ -186,113 +186,113 @@ static struct wall_twist motion_twist(const struct wall_mover *mover, int k, dou
     case WALL_TABLE:
         break;
     }
-    table_value(&mover->table[k], begin + 0.5 * duration, value);
-    table_rate(&mover->table[k], begin, duration, dt, rate);
+    table_value(&motions->table[k], begin + 0.5 * duration, value);
+    table_rate(&motions->table[k], begin, duration, dt, rate);
     return twist_about(vector_spin(value[1], rate[1]), law_add(point, 1.0, value[0]), rate[0]);
 }
 
-struct wall_transform wall_mover_place(const struct wall_mover *mover, double t, double servo_offset) {
+struct wall_transform wall_motions_place(const struct wall_motions *motions, double t, double servo_offset) {
     struct wall_transform all = wall_transform_identity();
-    for (int k = 0; k < mover->motions; k++) {
-        struct wall_transform one = motion_place(mover, k, t, servo_offset);
+    for (int k = 0; k < motions->count; k++) {
+        struct wall_transform one = motion_place(motions, k, t, servo_offset);
         all = wall_transform_compose(&one, &all);
     }
     return all;
 }
 
 /* The twist of the motions of the wall, or of those of its surface. */
-static struct wall_twist mover_twist(const struct wall_mover *mover, bool surface, double t, double dt,
-                                     double servo_offset, double servo_speed) {
+static struct wall_twist motions_twist(const struct wall_motions *motions, bool surface, double t, double dt,
+                                       double servo_offset, double servo_speed) {
     struct wall_twist all = {0};
-    for (int k = 0; k < mover->motions; k++) {
-        struct wall_transform half = motion_place(mover, k, t + 0.5 * dt, servo_offset);
+    for (int k = 0; k < motions->count; k++) {
+        struct wall_transform half = motion_place(motions, k, t + 0.5 * dt, servo_offset);
         struct law_vector omega = wall_turn(half.rotation, all.omega);
         struct law_vector velocity = law_add(wall_turn(half.rotation, all.velocity), 1.0,
                                              law_cross(wall_vector(half.translation), omega));
         struct wall_twist one = {0};
-        if (mover->motion[k].surface == surface)
-            one = motion_twist(mover, k, t, dt, servo_speed);
+        if (motions->motion[k].surface == surface)
+            one = motion_twist(motions, k, t, dt, servo_speed);
         all.omega = law_add(omega, 1.0, one.omega);
         all.velocity = law_add(velocity, 1.0, one.velocity);
     }
     return all;
 }
 
-struct wall_twist wall_mover_twist(const struct wall_mover *mover, double t, double dt, double servo_offset,
-                                   double servo_speed) {
-    return mover_twist(mover, false, t, dt, servo_offset, servo_speed);
+struct wall_twist wall_motions_twist(const struct wall_motions *motions, double t, double dt,
+                                     double servo_offset, double servo_speed) {
+    return motions_twist(motions, false, t, dt, servo_offset, servo_speed);
 }
 
-struct wall_twist wall_mover_surface(const struct wall_mover *mover, double t, double dt,
-                                     double servo_offset) {
-    return mover_twist(mover, true, t, dt, servo_offset, 0.0);
+struct wall_twist wall_motions_surface(const struct wall_motions *motions, double t, double dt,
+                                       double servo_offset) {
+    return motions_twist(motions, true, t, dt, servo_offset, 0.0);
 }
 
-bool wall_mover_slides(const struct wall_mover *mover) {
-    for (int k = 0; k < mover->motions; k++)
-        if (mover->motion[k].surface)
+bool wall_motions_slides(const struct wall_motions *motions) {
+    for (int k = 0; k < motions->count; k++)
+        if (motions->motion[k].surface)
             return true;
     return false;
 }
 
-static int mover_servo(const struct wall_mover *mover) {
-    for (int k = 0; k < mover->motions; k++)
-        if (mover->motion[k].kind == WALL_SERVO)
+static int motions_servo(const struct wall_motions *motions) {
+    for (int k = 0; k < motions->count; k++)
+        if (motions->motion[k].kind == WALL_SERVO)
             return k;
     return -1;
 }
 
-bool wall_mover_has_servo(const struct wall_mover *mover) {
-    return mover_servo(mover) >= 0;
+bool wall_motions_has_servo(const struct wall_motions *motions) {
+    return motions_servo(motions) >= 0;
 }
 
 /* The direction of servo k as the motions behind it have turned it at time t. */
-static struct law_vector servo_direction(const struct wall_mover *mover, int k, double t) {
-    struct law_vector direction = wall_vector(mover->motion[k].direction);
-    for (int behind = k + 1; behind < mover->motions; behind++) {
-        struct wall_transform one = motion_place(mover, behind, t, 0.0);
+static struct law_vector servo_direction(const struct wall_motions *motions, int k, double t) {
+    struct law_vector direction = wall_vector(motions->motion[k].direction);
+    for (int behind = k + 1; behind < motions->count; behind++) {
+        struct wall_transform one = motion_place(motions, behind, t, 0.0);
         direction = wall_turn(one.rotation, direction);
     }
     return direction;
 }
 
 /* Outside of its span a motion is frozen. */
-static bool servo_stands(const struct wall_mover *mover, int k, double t) {
-    return k < 0 || t < mover->motion[k].start || t >= mover->motion[k].stop;
+static bool servo_stands(const struct wall_motions *motions, int k, double t) {
+    return k < 0 || t < motions->motion[k].start || t >= motions->motion[k].stop;
 }
 
-double wall_mover_servo_speed(const struct wall_mover *mover, double t, const struct wall_push *push) {
-    int k = mover_servo(mover);
-    if (servo_stands(mover, k, t))
+double wall_motions_servo_speed(const struct wall_motions *motions, double t, const struct wall_push *push) {
+    int k = motions_servo(motions);
+    if (servo_stands(motions, k, t))
         return 0.0;
-    const struct wall_motion *servo = &mover->motion[k];
+    const struct wall_motion *servo = &motions->motion[k];
     double most = servo->speed_max;
-    double error = law_dot(wall_vector(push->force), servo_direction(mover, k, t)) - servo->force;
+    double error = law_dot(wall_vector(push->force), servo_direction(motions, k, t)) - servo->force;
     double impedance = servo->gain > 0.0 ? fabs(servo->force) / servo->gain : 2.0 * push->impedance;
     if (!(fabs(error) < impedance * most)) /* an impedance of 0, too */
         return error > 0.0 ? most : error < 0.0 ? -most : 0.0;
     return error / impedance;
 }
 
-double wall_mover_servo_follow(const struct wall_mover *mover, double t, const struct wall_push *push,
-                               double before) {
-    int k = mover_servo(mover);
-    if (servo_stands(mover, k, t))
+double wall_motions_servo_follow(const struct wall_motions *motions, double t, const struct wall_push *push,
+                                 double before) {
+    int k = motions_servo(motions);
+    if (servo_stands(motions, k, t))
         return 0.0;
-    double part = mover->motion[k].gain > 0.0 ? 0.02 : 0.1;
-    return before + part * (wall_mover_servo_speed(mover, t, push) - before);
+    double part = motions->motion[k].gain > 0.0 ? 0.02 : 0.1;
+    return before + part * (wall_motions_servo_speed(motions, t, push) - before);
 }
 
-double wall_mover_servo_unit(const struct wall_mover *mover) {
-    int k = mover_servo(mover);
-    if (k < 0 || mover->motion[k].gain > 0.0)
+double wall_motions_servo_unit(const struct wall_motions *motions) {
+    int k = motions_servo(motions);
+    if (k < 0 || motions->motion[k].gain > 0.0)
         return 0.0;
-    return exp2(ilogb(fabs(mover->motion[k].force) / mover->motion[k].speed_max) - 20);
+    return exp2(ilogb(fabs(motions->motion[k].force) / motions->motion[k].speed_max) - 20);
 }
 
-bool wall_mover_pivot(const struct wall_mover *mover, struct law_vector *point) {
-    for (int k = 0; k < mover->motions; k++) {
-        const struct wall_motion *motion = &mover->motion[k];
+bool wall_motions_pivot(const struct wall_motions *motions, struct law_vector *point) {
+    for (int k = 0; k < motions->count; k++) {
+        const struct wall_motion *motion = &motions->motion[k];
         if (motion->kind == WALL_ROTATE || motion->kind == WALL_OSCILLATE_ROTATION ||
             motion->kind == WALL_TABLE) {
             *point = wall_vector(motion->point);
@@ -303,9 +303,9 @@ bool wall_mover_pivot(const struct wall_mover *mover, struct law_vector *point) 
 }
 
 /* Brings one motion into the form that the functions above expect. */
-static bool motion_prepare(struct wall_mover *mover, int k, const char *name, const double origin[3],
+static bool motion_prepare(struct wall_motions *motions, int k, const char *name, const double origin[3],
                            struct error *error) {
-    struct wall_motion *motion = &mover->motion[k];
+    struct wall_motion *motion = &motions->motion[k];
     struct law_vector direction = wall_vector(motion->direction);
     double length = sqrt(law_dot(direction, direction));
     bool directed = motion->kind != WALL_TRANSLATE && motion->kind != WALL_TABLE;
@@ -322,11 +322,11 @@ static bool motion_prepare(struct wall_mover *mover, int k, const char *name, co
     for (int d = 0; directed && fabs(length - 1.0) > 1e-15 && d < 3; d++)
         motion->direction[d] /= length;
     if (motion->kind == WALL_TABLE)
-        return numbers_read(&mover->table[k], motion->table, TABLE_COLUMNS, error) &&
-               numbers_check_times(&mover->table[k], motion->table, "t x y z a b c", error);
+        return numbers_read(&motions->table[k], motion->table, TABLE_COLUMNS, error) &&
+               numbers_check_times(&motions->table[k], motion->table, "t x y z a b c", error);
     if (motion->kind != WALL_SERVO)
         return true;
-    if (mover_servo(mover) != k)
+    if (motions_servo(motions) != k)
         return error_set(error, ERROR_USER, "wall '%s': motion %d is a second servo; one is allowed", name,
                          k + 1);
     if (motion->force == 0.0 || !isfinite(motion->force) || !(motion->speed_max > 0.0))
@@ -336,36 +336,36 @@ static bool motion_prepare(struct wall_mover *mover, int k, const char *name, co
     return true;
 }
 
-bool wall_mover_create(struct wall_mover **mover, const struct wall_options *options, const double origin[3],
-                       struct error *error) {
-    *mover = memory_allocate_zero(1, sizeof **mover, "motions of a wall");
-    (*mover)->motions = options->motions;
-    memcpy((*mover)->motion, options->motion, (size_t)options->motions * sizeof *options->motion);
+bool wall_motions_create(struct wall_motions **motions, const struct wall_options *options,
+                         const double origin[3], struct error *error) {
+    *motions = memory_allocate_zero(1, sizeof **motions, "motions of a wall");
+    (*motions)->count = options->motions;
+    memcpy((*motions)->motion, options->motion, (size_t)options->motions * sizeof *options->motion);
     for (int k = 0; k < options->motions; k++)
-        if (!motion_prepare(*mover, k, options->name, origin, error)) {
-            wall_mover_destroy(mover);
+        if (!motion_prepare(*motions, k, options->name, origin, error)) {
+            wall_motions_destroy(motions);
             return false;
         }
     return true;
 }
 
-bool wall_mover_flat(const struct wall_mover *mover, struct error *error) {
-    for (int k = 0; k < mover->motions; k++)
-        for (size_t row = 0; row < mover->table[k].rows; row++) {
-            const double *value = mover->table[k].value + row * TABLE_COLUMNS;
+bool wall_motions_flat(const struct wall_motions *motions, struct error *error) {
+    for (int k = 0; k < motions->count; k++)
+        for (size_t row = 0; row < motions->table[k].rows; row++) {
+            const double *value = motions->table[k].value + row * TABLE_COLUMNS;
             if (value[3] != 0.0 || value[4] != 0.0 || value[5] != 0.0)
                 return error_set(error, ERROR_USER,
                                  "%s:%u: leaves the plane of a two-dimensional scene; allowed: t x y 0 0 0 c",
-                                 mover->motion[k].table, mover->table[k].line[row]);
+                                 motions->motion[k].table, motions->table[k].line[row]);
         }
     return true;
 }
 
-void wall_mover_destroy(struct wall_mover **mover) {
-    if (*mover == NULL)
+void wall_motions_destroy(struct wall_motions **motions) {
+    if (*motions == NULL)
         return;
-    for (int k = 0; k < (*mover)->motions; k++)
-        numbers_free(&(*mover)->table[k]);
-    memory_free(*mover);
-    *mover = NULL;
+    for (int k = 0; k < (*motions)->count; k++)
+        numbers_free(&(*motions)->table[k]);
+    memory_free(*motions);
+    *motions = NULL;
 }

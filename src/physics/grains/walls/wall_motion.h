@@ -58,52 +58,52 @@ static inline struct law_vector wall_twist_at(const struct wall_twist *twist, st
 }
 
 /* The motions of one wall. */
-struct wall_mover;
+struct wall_motions;
 
 /* Reads tables and checks the motions of `options`; `origin` is the box's lower corner. Fails (user) on a bad
  * table (file and line), a direction of no length, a servo without a force to reach, more than one servo, or
  * a span that ends before it starts. One thread. Destroy frees and nulls. */
-bool wall_mover_create(struct wall_mover **mover, const struct wall_options *options, const double origin[3],
-                       struct error *error);
+bool wall_motions_create(struct wall_motions **motions, const struct wall_options *options,
+                         const double origin[3], struct error *error);
 /* In two dimensions: fails (user; file and line) on a table that moves along z or turns about x or y. */
-bool wall_mover_flat(const struct wall_mover *mover, struct error *error);
-void wall_mover_destroy(struct wall_mover **mover);
+bool wall_motions_flat(const struct wall_motions *motions, struct error *error);
+void wall_motions_destroy(struct wall_motions **motions);
 
 /* M(t), with the servo displaced by servo_offset. */
-struct wall_transform wall_mover_place(const struct wall_mover *mover, double t, double servo_offset);
+struct wall_transform wall_motions_place(const struct wall_motions *motions, double t, double servo_offset);
 
 /* The mean velocity of the step from t to t + dt, as a field at the half step; servo_offset is that of the
  * half step, servo_speed the servo's speed. Exact for each single motion. */
-struct wall_twist wall_mover_twist(const struct wall_mover *mover, double t, double dt, double servo_offset,
-                                   double servo_speed);
+struct wall_twist wall_motions_twist(const struct wall_motions *motions, double t, double dt,
+                                     double servo_offset, double servo_speed);
 
 /* The same of the surface alone, to be added; 0 without a motion of the surface. */
-struct wall_twist wall_mover_surface(const struct wall_mover *mover, double t, double dt,
-                                     double servo_offset);
+struct wall_twist wall_motions_surface(const struct wall_motions *motions, double t, double dt,
+                                       double servo_offset);
 
 /* True if the surface has a motion of its own. */
-bool wall_mover_slides(const struct wall_mover *mover);
+bool wall_motions_slides(const struct wall_motions *motions);
 
-bool wall_mover_has_servo(const struct wall_mover *mover);
+bool wall_motions_has_servo(const struct wall_motions *motions);
 /* Speed along the servo's direction, which the motions behind it turn, for the step that starts at t, from
  * what the particles do to the wall; 0 without a servo or outside of its span. Without a gain of the user's the
  * speed is the force error over twice the impedance of the grains that touch the wall, speed_max while none
  * does. */
-double wall_mover_servo_speed(const struct wall_mover *mover, double t, const struct wall_push *push);
+double wall_motions_servo_speed(const struct wall_motions *motions, double t, const struct wall_push *push);
 
 /* The speed that the servo takes: the speed of the step before, plus a part of the difference to
- * wall_mover_servo_speed. With the whole difference the speed would change sign with each step as soon as the
+ * wall_motions_servo_speed. With the whole difference the speed would change sign with each step as soon as the
  * contacts' dampers answer the speed with more than the force sought. With a gain of the user's the part is a
  * fiftieth, and the dampers may answer with a hundred times that force. Else the part is a tenth: the dampers
  * answer with at most the force sought, as the speed follows from the impedance of the same contacts. */
-double wall_mover_servo_follow(const struct wall_mover *mover, double t, const struct wall_push *push,
-                               double before);
+double wall_motions_servo_follow(const struct wall_motions *motions, double t, const struct wall_push *push,
+                                 double before);
 
 /* The unit of the impedance of a wall with a servo: a power of two, a millionth of the least impedance that
  * makes a difference. 0 without a servo, or where the user gives the gain. */
-double wall_mover_servo_unit(const struct wall_mover *mover);
+double wall_motions_servo_unit(const struct wall_motions *motions);
 
 /* The point about which the wall turns first (box-relative); false if the wall never turns. */
-bool wall_mover_pivot(const struct wall_mover *mover, struct law_vector *point);
+bool wall_motions_pivot(const struct wall_motions *motions, struct law_vector *point);
 
 #endif

@@ -86,7 +86,7 @@ static void wall_find_reach(struct wall *wall) {
 }
 
 static void wall_place(struct wall *wall, double t) {
-    struct wall_transform motion = wall_mover_place(wall->mover, t, wall->servo_offset);
+    struct wall_transform motion = wall_motions_place(wall->motions, t, wall->servo_offset);
     wall->pose = wall_transform_compose(&motion, &wall->base);
     walls_follow(wall);
 }
@@ -106,14 +106,14 @@ static bool walls_start_motions(struct walls *walls, int w, struct error *error)
     struct wall *wall = &walls->wall[w];
     const struct box *box = &walls->box;
     if (!wall_area_targets(walls, w, error) ||
-        !wall_mover_create(&wall->mover, &wall->options, box->origin, error) ||
-        (box->dimension == 2 && !wall_mover_flat(wall->mover, error)))
+        !wall_motions_create(&wall->motions, &wall->options, box->origin, error) ||
+        (box->dimension == 2 && !wall_motions_flat(wall->motions, error)))
         return false;
-    if (!wall_mover_pivot(wall->mover, &wall->centre))
+    if (!wall_motions_pivot(wall->motions, &wall->centre))
         wall->centre = wall->mesh ? wall->mesh->centre : wall->point;
     wall->moving = wall->options.motions > 0;
-    wall->slides = wall_mover_slides(wall->mover);
-    wall->unit = wall_mover_servo_unit(wall->mover);
+    wall->slides = wall_motions_slides(wall->motions);
+    wall->unit = wall_motions_servo_unit(wall->motions);
     wall_place(wall, 0.0);
     return true;
 }
@@ -171,7 +171,7 @@ void walls_destroy(struct walls **walls) {
     for (int k = 0; k < w->count; k++) {
         wall_mesh_destroy(&w->wall[k].mesh);
         wall_grid_destroy(&w->wall[k].grid);
-        wall_mover_destroy(&w->wall[k].mover);
+        wall_motions_destroy(&w->wall[k].motions);
     }
     for (int t = 0; t < w->threads; t++) {
         walls_scratch_free(w->scratch[t]);
@@ -206,7 +206,7 @@ const struct wall_options *walls_options(const struct walls *walls, int wall) {
 
 bool walls_have_servo(const struct walls *walls) {
     for (int w = 0; w < walls->count; w++)
-        if (wall_mover_has_servo(walls->wall[w].mover))
+        if (wall_motions_has_servo(walls->wall[w].motions))
             return true;
     return false;
 }
@@ -225,7 +225,7 @@ bool walls_move(const struct walls *walls) {
 /* Finds the base of a wall whose pose was set from outside, at time t: the motions, applied to the base, give
  * this pose. A stored base that does so is kept, so that an unchanged run goes on with the same bits. */
 static void wall_find_base(struct wall *wall, double t) {
-    struct wall_transform motion = wall_mover_place(wall->mover, t, wall->servo_offset);
+    struct wall_transform motion = wall_motions_place(wall->motions, t, wall->servo_offset);
     struct wall_transform there = wall_transform_compose(&motion, &wall->base);
     if (!wall_transform_near(&there, &wall->pose)) {
         struct wall_transform back = wall_transform_inverse(&motion);
@@ -236,9 +236,9 @@ static void wall_find_base(struct wall *wall, double t) {
 
 /* Sets the twists of a wall and of its surface in a step from t on. */
 static void set_twists(struct wall *wall, double t, double dt, double servo_offset) {
-    wall->twist = wall_mover_twist(wall->mover, t, dt, servo_offset, wall->servo_speed);
+    wall->twist = wall_motions_twist(wall->motions, t, dt, servo_offset, wall->servo_speed);
     if (wall->slides)
-        wall->surface = wall_mover_surface(wall->mover, t, dt, servo_offset);
+        wall->surface = wall_motions_surface(wall->motions, t, dt, servo_offset);
 }
 
 void walls_advance(struct walls *walls, double t, double dt, const struct wall_push *push) {
@@ -248,7 +248,8 @@ void walls_advance(struct walls *walls, double t, double dt, const struct wall_p
             continue;
         if (wall->resumed)
             wall_find_base(wall, t);
-        wall->servo_speed = push ? wall_mover_servo_follow(wall->mover, t, &push[w], wall->servo_speed) : 0.0;
+        wall->servo_speed =
+            push ? wall_motions_servo_follow(wall->motions, t, &push[w], wall->servo_speed) : 0.0;
         set_twists(wall, t, dt, wall->servo_offset + 0.5 * dt * wall->servo_speed);
         wall->servo_offset += dt * wall->servo_speed;
         wall_place(wall, t + dt);

@@ -330,6 +330,8 @@ static void take_particle(struct wall_task *task) {
     const struct particle_state *state = &task->context->particles->state[task->particle];
     size_t k = task->candidate, last;
     bool fixed = walls->fixed_too && walls_at_rest(task->context->particles, task->particle);
+    if (task->context->alone && task->context->alone(task->context->joined_context, task->particle))
+        return;
     for (size_t first = walls->first[k]; first < walls->first[k + 1]; first = last) {
         int w = walls->piece[first].wall;
         size_t count = walls_find(walls, k, first, &last, wall_vector(state->x),

@@ -198,8 +198,3 @@ void walls_build(struct walls *walls, const struct particles *particles, const s
         memset(walls->records[0].count, 0, sum.candidates * sizeof *walls->records[0].count);
     memory_free(share);
 }
-
-size_t walls_candidates(const struct walls *walls, const uint32_t **number) {
-    *number = walls->particle;
-    return walls->candidates;
-}

@@ -26,7 +26,7 @@ struct wall {
         axis;               /* PLANE: point and normal; CYLINDER: middle and axis; box-relative, at rest */
     struct wall_mesh *mesh; /* MESH */
     struct wall_grid *grid;
-    struct wall_mover *mover;
+    struct wall_motions *motions;
     struct law_vector centre; /* at rest, see struct wall_pose */
     double reach[3]; /* of cylinder and mesh at rest: how far from the middle along x, y, z, at most */
 

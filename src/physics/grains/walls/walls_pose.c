@@ -36,7 +36,7 @@ void walls_set_pose(struct walls *walls, int wall, const struct wall_pose *pose)
     memcpy(w->pose.translation, pose->translation, sizeof pose->translation);
     memcpy(w->base.rotation, pose->base_rotation, sizeof pose->base_rotation);
     memcpy(w->base.translation, pose->base_translation, sizeof pose->base_translation);
-    w->servo_offset = wall_mover_has_servo(w->mover) ? pose->servo_offset : 0.0;
+    w->servo_offset = wall_motions_has_servo(w->motions) ? pose->servo_offset : 0.0;
     w->servo_speed = pose->servo_speed;
     w->twist = (struct wall_twist){0};
     if (w->options.motions > 0) {

@@ -57,6 +57,32 @@ void walls_push(struct walls *walls, int thread, const struct wall_place *place,
     struct law_vector torque = law_cross(law_add(at, -1.0, wall->centre_now), f);
     double power = wall->slides ? -law_dot(f, walls_slip(wall, at, wall_vector(place->normal))) : 0.0;
     const double load[WALL_LOADS] = {f.x, f.y, f.z, torque.x, torque.y, torque.z, power};
-    for (int c = 0; c < WALL_LOADS; c++)
-        walls->scratch[thread]->load[place->wall][c] += load[c];
+    struct wall_scratch *scratch = walls->scratch[thread];
+    for (int c = 0; c < WALL_LOADS; c++) {
+        if (scratch->exact)
+            exact_add(&scratch->exact[place->wall][c], load[c]);
+        else
+            scratch->load[place->wall][c] += load[c];
+    }
+}
+
+bool walls_plane(const struct walls *walls, int wall, double point[3], double normal[3]) {
+    const struct wall *w = &walls->wall[wall];
+    if (w->options.shape != WALL_PLANE)
+        return false;
+    store(w->point_now, point);
+    store(w->axis_now, normal);
+    return true;
+}
+
+void walls_surface_motion(const struct walls *walls, int wall, const double at[3], const double normal[3],
+                          double velocity[3], double spin[3]) {
+    const struct wall *w = &walls->wall[wall];
+    struct law_vector v = wall_twist_at(&w->twist, wall_vector(at)), omega = w->twist.omega;
+    if (w->slides) {
+        v = law_add(v, 1.0, walls_slip(w, wall_vector(at), wall_vector(normal)));
+        omega = law_add(omega, 1.0, w->surface.omega);
+    }
+    store(v, velocity);
+    store(omega, spin);
 }

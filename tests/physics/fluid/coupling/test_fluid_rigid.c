@@ -7,7 +7,7 @@
 
 #include "kernel/particles/kinds.h"
 #include "physics/fluid/coupling/rigid_grains.h"
-#include "physics/fluid/coupling/solid.h"
+#include "physics/fluid/coupling/solid_field.h"
 #include "tests/near.h"
 
 /* 1 inside, 0 outside, one half at the surface, and odd about it; the gain leaves 0 and 1, and is phi with kappa 1. */
@@ -92,7 +92,7 @@ static void grains_share_a_node(void **state) {
     uint32_t partner[2] = {1, 2};
     size_t start[2] = {0, 2};
     struct pair_rows rows = {0};
-    struct solid solid = {0};
+    struct solid_field solid = {0};
     double filled[1];
     (void)state;
     pair_rows_of(&rows, start, partner);
@@ -100,7 +100,7 @@ static void grains_share_a_node(void **state) {
     assert_int_equal(solid.pairs, 2);
     const struct solid_places at = {
         .state = places, .shift = none, .spacing = 0.1, .kappa = 2, .dimension = 2};
-    solid_make(&solid, &at, 1, filled);
+    solid_field_make(&solid, &at, 1, filled);
     assert_int_equal(solid.nodes, 1);
     assert_int_equal(solid.parts, 2);
     assert_near(filled[0], 1, 1e-12);
@@ -108,11 +108,11 @@ static void grains_share_a_node(void **state) {
     assert_near(solid.part[0].arm[0], 0.3, 1e-15);
     assert_near(solid.part[1].arm[0], -0.3, 1e-15);
     places[2].x[0] = 2; /* far away: the node is half a grain's, with the gain of kappa */
-    solid_make(&solid, &at, 1, filled);
+    solid_field_make(&solid, &at, 1, filled);
     assert_int_equal(solid.parts, 1);
     assert_near(filled[0], 0.5, 1e-12);
     assert_near(solid.part[0].share, 0.5 / (0.5 + 2 * 0.5), 1e-12);
-    solid_free(&solid);
+    solid_field_free(&solid);
 }
 
 TEST_MAIN(fluid_rigid, cmocka_unit_test(the_edge_and_the_gain), cmocka_unit_test(the_integrals_of_the_gain),

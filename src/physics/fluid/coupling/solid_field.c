@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
-/* The part of nodes that grains fill. Read solid.h first. */
-#include "physics/fluid/coupling/solid.h"
+/* The part of nodes that grains fill. Read solid_field.h first. */
+#include "physics/fluid/coupling/solid_field.h"
 #include "base/memory.h"
 #include "kernel/particles/kinds.h"
 #include <math.h>
@@ -36,8 +36,8 @@ void solid_mean(double radius, double spacing, double kappa, int dimension, doub
     }
 }
 
-void solid_pairs_take(struct solid *solid, const struct pair_rows *pairs, const uint8_t *kind, size_t first,
-                      size_t end) {
+void solid_pairs_take(struct solid_field *solid, const struct pair_rows *pairs, const uint8_t *kind,
+                      size_t first, size_t end) {
     size_t count = 0;
     for (size_t e = pairs->start[first]; e < pairs->start[end]; e++)
         count += kind[pair_partner(pairs->partner[e])] == KIND_GRAIN;
@@ -67,7 +67,7 @@ static struct solid_part part_of(const struct solid_places *places, const struct
     return part;
 }
 
-static void room(struct solid *solid) {
+static void room(struct solid_field *solid) {
     if (solid->pairs <= solid->part_room && solid->start != NULL)
         return;
     solid->part_room = solid->pairs;
@@ -76,7 +76,8 @@ static void room(struct solid *solid) {
         memory_resize(solid->start, solid->part_room + 1, sizeof *solid->start, "grains in a fluid");
 }
 
-void solid_make(struct solid *solid, const struct solid_places *places, size_t rows, double *filled) {
+void solid_field_make(struct solid_field *solid, const struct solid_places *places, size_t rows,
+                      double *filled) {
     room(solid);
     memset(filled, 0, rows * sizeof *filled);
     solid->parts = solid->nodes = 0;
@@ -99,9 +100,9 @@ void solid_make(struct solid *solid, const struct solid_places *places, size_t r
         filled[row] = fmin(filled[row], 1);
 }
 
-void solid_free(struct solid *solid) {
+void solid_field_free(struct solid_field *solid) {
     memory_free(solid->pair);
     memory_free(solid->part);
     memory_free(solid->start);
-    *solid = (struct solid){0};
+    *solid = (struct solid_field){0};
 }

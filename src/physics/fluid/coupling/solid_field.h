@@ -6,8 +6,8 @@
  *
  * is the field `solid`. The flow is made rigid by the gain g = Phi / (Phi + kappa (1 - Phi)), which the grains share by their phi: 1 inside, in the edge a
  * drag of Darcy with the time kappa dt (1 - Phi) / Phi. So kappa = SOLID_DARCY spacing^2 / (nu dt), at most SOLID_KAPPA_MOST, makes drag independent of the step. */
-#ifndef SCREE_COUPLING_SOLID_H
-#define SCREE_COUPLING_SOLID_H
+#ifndef SCREE_COUPLING_SOLID_FIELD_H
+#define SCREE_COUPLING_SOLID_FIELD_H
 
 #include "kernel/pairs/interaction.h"
 
@@ -29,7 +29,7 @@ struct solid_pair {
 };
 
 /* All arrays are owned. All zero: empty. */
-struct solid {
+struct solid_field {
     size_t pairs, pair_room;
     struct solid_pair *pair; /* by row */
     size_t parts, part_room;
@@ -50,8 +50,8 @@ double solid_kappa(double spacing, double viscosity, double dt);
 void solid_mean(double radius, double spacing, double kappa, int dimension, double *volume, double *moment);
 
 /* Takes the pairs of fluid particles [first, end) with grains from rows of pairs. */
-void solid_pairs_take(struct solid *solid, const struct pair_rows *pairs, const uint8_t *kind, size_t first,
-                      size_t end);
+void solid_pairs_take(struct solid_field *solid, const struct pair_rows *pairs, const uint8_t *kind,
+                      size_t first, size_t end);
 
 /* The places of nodes and grains. */
 struct solid_places {
@@ -63,8 +63,9 @@ struct solid_places {
 };
 
 /* Makes the parts at the present places, and shares out the gain; filled[row] = Phi of all `rows`. */
-void solid_make(struct solid *solid, const struct solid_places *places, size_t rows, double *filled);
+void solid_field_make(struct solid_field *solid, const struct solid_places *places, size_t rows,
+                      double *filled);
 
-void solid_free(struct solid *solid);
+void solid_field_free(struct solid_field *solid);
 
 #endif

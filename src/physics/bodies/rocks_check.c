@@ -1,0 +1,50 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
+/* What rocks do not go with, each with one message. Read rocks.h first. */
+#include "physics/bodies/rocks.h"
+#include "physics/grains/grains.h"
+
+/* Laws that know spheres alone. */
+static bool check_law(const struct physics_context *context, struct error *error) {
+    const struct scene *scene = context->scene;
+    const struct law *law = &grains_of(context->set)->law;
+    if (law->general) {
+        char title[LAW_TITLE_MAX];
+        law_title(&law->options, title);
+        return scene_fail(
+            scene, error, "bodies.shapes",
+            "the contact law (%s) is for spheres; allowed with rocks are laws without cohesion, "
+            "plasticity, branches and twisting",
+            title);
+    }
+    if (law->options.lammps_history || law->options.lammps_granular)
+        return scene_fail(scene, error, "bodies.shapes",
+                          "a law to the letter of LAMMPS is for spheres: not with rocks");
+    if (scene->law.solved)
+        return scene_fail(
+            scene, error, "bodies.shapes",
+            "contact.solver knows spheres alone: rocks touch by an explicit law (not built yet)");
+    return true;
+}
+
+static bool check_walls(const struct physics_context *context, struct error *error) {
+    const struct scene *scene = context->scene;
+    for (int w = 0; w < scene->walls; w++)
+        if (scene->wall[w].shape != WALL_PLANE)
+            return scene_fail(
+                scene, error, "bodies.shapes",
+                "rocks touch walls of shape plane; the wall '%s' has another shape (not built yet)",
+                scene->wall[w].name);
+    return true;
+}
+
+bool rocks_check(const struct physics_context *context, struct error *error) {
+    const struct bodies_options *options = context->options;
+    const struct scene *scene = context->scene;
+    if (options->rocks == 0)
+        return true;
+    if (scene->physics_given[PHYSICS_heat])
+        return scene_fail(scene, error, "bodies.shapes", "together with heat: not built yet");
+    if (scene->physics_given[PHYSICS_drag])
+        return scene_fail(scene, error, "bodies.shapes", "together with drag: not built yet");
+    return check_law(context, error) && check_walls(context, error);
+}

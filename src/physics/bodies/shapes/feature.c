@@ -1,0 +1,137 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
+/* Adds up the features of a contact. Read touch.h first. */
+#include "physics/bodies/shapes/feature.h"
+#include <math.h>
+#include <string.h>
+
+static double dot(const double a[3], const double b[3]) {
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+static void cross(const double a[3], const double b[3], double c[3]) {
+    for (int d = 0; d < 3; d++) {
+        int e = (d + 1) % 3, f = (d + 2) % 3;
+        c[d] = a[e] * b[f] - a[f] * b[e];
+    }
+}
+
+struct feature *feature_add(struct features *features, const struct posed *a, double roundings,
+                            double distance, const double on_a[3], const double normal[3], uint32_t key) {
+    if (!(distance < roundings) || features->count == FEATURES_MAX)
+        return NULL;
+    struct feature *feature = &features->feature[features->count++];
+    *feature = (struct feature){.overlap = roundings - distance, .weight = 1, .key = key};
+    memcpy(feature->normal, normal, sizeof feature->normal);
+    for (int d = 0; d < 3; d++)
+        feature->at[d] = on_a[d] + (a->rounding - 0.5 * feature->overlap) * normal[d];
+    return feature;
+}
+
+static double clamp(double x) {
+    return x < 0 ? 0 : x > 1 ? 1 : x;
+}
+
+/* The places of the nearest points along two segments (Ericson, Real-Time Collision Detection (2005), section 5.1.9). */
+static void segments_nearest(const double u[3], const double v[3], const double w[3], double *s, double *t) {
+    double uu = dot(u, u), uv = dot(u, v), vv = dot(v, v), uw = dot(u, w), vw = dot(v, w);
+    double square = uu * vv - uv * uv;
+    *s = square > 1e-14 * uu * vv ? clamp((uw * vv - vw * uv) / square) : 0.5;
+    *t = (*s * uv - vw) / vv;
+    if (*t < 0 || *t > 1) {
+        *t = clamp(*t);
+        *s = clamp((*t * uv + uw) / uu);
+    }
+}
+
+/* The factor of two edges by the square of the sine of their angle, and its slope. */
+static double parallel_factor(double sine_square, double *slope) {
+    const double full = TOUCH_PARALLEL * TOUCH_PARALLEL, x = sine_square / full;
+    *slope = x < 1 ? 6 * x * (1 - x) / full : 0;
+    return x < 1 ? x * x * (3 - 2 * x) : 1;
+}
+
+void feature_edges(struct features *features, const struct posed *posed, double roundings,
+                   const double *const end[4], uint32_t key) {
+    double u[3], v[3], w[3], s, t, on_a[3], way[3];
+    for (int d = 0; d < 3; d++) {
+        u[d] = end[1][d] - end[0][d];
+        v[d] = end[3][d] - end[2][d];
+        w[d] = end[2][d] - end[0][d];
+    }
+    segments_nearest(u, v, w, &s, &t);
+    for (int d = 0; d < 3; d++) {
+        on_a[d] = end[0][d] + s * u[d];
+        way[d] = w[d] + t * v[d] - s * u[d];
+    }
+    double square = dot(way, way), lengths = sqrt(dot(u, u) * dot(v, v)), cosine = dot(u, v) / lengths, slope;
+    if (!(square > 0 && square < roundings * roundings))
+        return;
+    double distance = sqrt(square), factor = parallel_factor(1 - cosine * cosine, &slope);
+    for (int d = 0; d < 3; d++)
+        way[d] /= distance;
+    struct feature *feature =
+        factor > 0 ? feature_add(features, posed, roundings, distance, on_a, way, key) : NULL;
+    if (feature == NULL)
+        return;
+    cross(v, u, feature->twist); /* the cosine grows by (v x u) . rotation of B */
+    for (int d = 0; d < 3; d++)
+        feature->twist[d] *= -2 * cosine * slope * feature->overlap / lengths;
+    feature->overlap *= factor;
+    feature->weight = factor;
+}
+
+/* Adds the share of a feature to the point that it belongs to; where there is no room, the least one goes. */
+static void point_give(struct touch *touch, const struct feature *feature, double share, double merge) {
+    int least = 0;
+    for (int k = 0; k < touch->points; k++) {
+        struct touch_point *point = &touch->point[k];
+        double off[3];
+        for (int d = 0; d < 3; d++)
+            off[d] = feature->at[d] - point->at[d];
+        if (dot(off, off) < merge * merge) {
+            point->share += share;
+            return;
+        }
+        least = point->share < touch->point[least].share ? k : least;
+    }
+    if (touch->points < TOUCH_POINTS_MAX)
+        least = touch->points++;
+    else if (touch->point[least].share > share)
+        return;
+    struct touch_point *point = &touch->point[least];
+    *point = (struct touch_point){.share = share, .key = feature->key};
+    memcpy(point->at, feature->at, sizeof point->at);
+    memcpy(point->normal, feature->normal, sizeof point->normal);
+}
+
+void feature_sum(const struct features *features, const double apart[3], double merge, struct touch *touch) {
+    double square = 0, cube = 0, shares = 0;
+    for (int k = 0; k < features->count; k++) {
+        double overlap = features->feature[k].overlap;
+        square += overlap * overlap;
+        cube += overlap * overlap * overlap;
+    }
+    touch->overlap = cube / square;
+    for (int k = 0; k < features->count; k++) {
+        const struct feature *feature = &features->feature[k];
+        double share = feature->overlap * feature->overlap / square, arm[2][3], push[3], torque[3];
+        double part = feature->overlap * (3 * feature->overlap - 2 * touch->overlap) / square;
+        for (int d = 0; d < 3; d++) {
+            push[d] = part * feature->weight * feature->normal[d];
+            arm[0][d] = feature->at[d];
+            arm[1][d] = feature->at[d] - apart[d];
+            touch->push[d] += push[d];
+        }
+        for (int side = 0; side < 2; side++) {
+            const double sign = side ? 1 : -1;
+            cross(arm[side], push, torque);
+            for (int d = 0; d < 3; d++)
+                touch->turn[side][d] += sign * (torque[d] - part * feature->twist[d]);
+        }
+        point_give(touch, feature, share, merge);
+    }
+    for (int k = 0; k < touch->points; k++)
+        shares += touch->point[k].share;
+    for (int k = 0; k < touch->points; k++)
+        touch->point[k].share /= shares;
+}
