@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* The step with rigid grains. Read rigid_step.h first. */
 #include "physics/fluid/coupling/rigid_step.h"
+#include "physics/fluid/coupling/rigid_sums.h"
 #include "base/memory.h"
 #include "kernel/particles/kinds.h"
-#include "kernel/particles/spin.h"
 #include "physics/fluid/coupling/grain_coupling.h"
 #include "physics/fluid/coupling/rigid_fields.h"
 #include "physics/fluid/fluid_fields.h"
@@ -11,17 +11,6 @@
 #include "physics/fluid/schemes/projection_parts.h"
 #include <math.h>
 #include <string.h>
-
-/* A step in progress. */
-struct work {
-    const struct physics_context *context;
-    struct fluid *fluid;
-    struct rigid *rigid;
-    const struct flow *flow;
-    struct kind_span grains; /* owned */
-    double dt, share;        /* share: dt / rho */
-    double kappa;
-};
 
 void rigid_step_pairs(const struct physics_context *context, struct rigid *rigid,
                       const struct pair_rows *pairs) {
@@ -63,145 +52,12 @@ static void room(struct rigid *rigid, size_t rows, size_t grains) {
     rigid->grains = grains;
 }
 
-/* Sets the sums of grains, owned ones and copies, to 0. */
-static void sums_clear(const struct work *work) {
-    struct particles *p = work->context->particles;
-    double(*load)[6] = fluid_load(p);
-    memset(load + work->grains.first, 0, (work->grains.end - work->grains.first) * sizeof *load);
-    memset(load + p->owned, 0, p->ghosts * sizeof *load);
-}
-
-/* Adds the sums of copies to those of the originals. Collective. */
-static void sums_bring(const struct work *work) {
-    struct field_list list = fields_one(fluid_load_handle(work->context->particles));
-    if (work->context->ghosts != NULL)
-        ghosts_sum(work->context->ghosts, work->context->particles, &list);
-}
-
-static double mass_of(const struct work *work, const struct solid_part *part) {
-    return work->fluid->options->density * work->fluid->weights.volume[part->row] * part->share;
-}
-
-/* m, s and J of all grains: in two rounds, as six numbers of a grain travel at once. Collective. */
-static void moments_find(const struct work *work) {
-    struct rigid *rigid = work->rigid;
-    double(*load)[6] = fluid_load(work->context->particles);
-    for (int round = 0; round < 2; round++) {
-        sums_clear(work);
-        for (size_t k = 0; k < rigid->solid.parts; k++) {
-            const struct solid_part *part = &rigid->solid.part[k];
-            struct rigid_grains_sums one = {0};
-            rigid_grains_add(&one, mass_of(work, part), part->arm);
-            double *to = load[part->grain];
-            for (int d = 0; d < 6; d++)
-                to[d] += round == 1 ? one.second[d] : d == 0 ? one.mass : d < 4 ? one.first[d - 1] : 0;
-        }
-        sums_bring(work);
-        for (size_t i = work->grains.first; i < work->grains.end; i++) {
-            struct rigid_grains_sums *sums = &rigid->sums[i - work->grains.first];
-            if (round == 1) {
-                memcpy(sums->second, load[i], sizeof sums->second);
-                continue;
-            }
-            sums->mass = load[i][0];
-            memcpy(sums->first, load[i] + 1, sizeof sums->first);
-        }
-    }
-}
-
-/* The momenta of v, and those about the centres, of all grains. v[k] is by node of the solid. Collective. */
-static void momenta_find(const struct work *work, const double (*v)[3]) {
-    const struct solid_field *solid = &work->rigid->solid;
-    double(*load)[6] = fluid_load(work->context->particles);
-    sums_clear(work);
-    for (size_t node = 0; node < solid->nodes; node++)
-        for (size_t k = solid->start[node]; k < solid->start[node + 1]; k++) {
-            const struct solid_part *part = &solid->part[k];
-            double mass = mass_of(work, part), *to = load[part->grain];
-            for (int d = 0; d < 3; d++) {
-                int next = (d + 1) % 3, last = (d + 2) % 3;
-                to[d] += mass * v[node][d];
-                to[3 + d] += mass * (part->arm[next] * v[node][last] - part->arm[last] * v[node][next]);
-            }
-        }
-    sums_bring(work);
-}
-
-/* What a grain has that the fluid in it has not; `held`: its motion is given. */
-static struct rigid_grains_own own_of(const struct work *work, size_t i, double *displaced, double *moment) {
-    const struct physics_context *context = work->context;
-    const struct fluid_options *options = work->fluid->options;
-    const struct particle_state *state = &context->particles->state[i];
-    int dimension = context->box->dimension;
-    double r = state->radius, mass = state->inverse_mass > 0 ? 1 / state->inverse_mass : 0,
-           inertia = 0.4 * mass * r * r, volume, second;
-    *displaced = options->density * grain_displaced(context, r);
-    *moment = (dimension == 2 ? 0.5 : 0.4) * *displaced * r * r;
-    struct rigid_grains_own own = {.dimension = dimension, .turns = spin_of(context->particles) != NULL};
-    solid_mean(r, options->spacing, work->kappa, dimension, &volume, &second);
-    own.mass = mass - (mass >= *displaced ? *displaced : options->density * volume);
-    own.inertia = inertia - (inertia >= *moment ? *moment : options->density * second);
-    own.late_mass = fmin(0.5 * own.mass, 0);
-    own.late_inertia = fmin(0.5 * own.inertia, 0);
-    own.mass -= own.late_mass;
-    own.inertia -= own.late_inertia;
-    return own;
-}
-
-/* The right-hand side of the equations of a grain that the fluid moves: `load` are the momenta of v. */
-static void momentum_of(const struct work *work, size_t i, const struct rigid_grains_own *own,
-                        double displaced, double momentum[6]) {
-    const struct physics_context *context = work->context;
-    const double *load = fluid_load(context->particles)[i],
-                 *before = rigid_fields_motion(context->particles)[i],
-                 *impulse = rigid_fields_impulse(context->particles)[i];
-    double weight = 1 / context->particles->state[i].inverse_mass - displaced;
-    for (int d = 0; d < 3; d++) {
-        momentum[d] = load[d] + own->mass * before[d] - own->late_mass * before[6 + d] +
-                      weight * context->scene->gravity[d] * work->dt + impulse[d];
-        momentum[3 + d] =
-            load[3 + d] + own->inertia * before[3 + d] - own->late_inertia * before[9 + d] + impulse[3 + d];
-    }
-}
-
-/* The given motion of a grain that the fluid does not move. */
-static void motion_given(const struct work *work, size_t i, double motion[6]) {
-    const struct particles *p = work->context->particles;
-    double(*spin)[4] = spin_of(p);
-    memcpy(motion, p->state[i].v, 3 * sizeof *motion);
-    memset(motion + 3, 0, 3 * sizeof *motion);
-    if (spin != NULL)
-        memcpy(motion + 3, spin[i], 3 * sizeof *motion);
-}
-
-/* The motions of all grains that go with v, copies too: in the field fluid_found. Collective. */
-static void motions_find(const struct work *work) {
-    const struct physics_context *context = work->context;
-    struct particles *p = context->particles;
-    double(*found)[6] = rigid_fields_found(p);
-    for (size_t i = work->grains.first; i < work->grains.end; i++) {
-        double displaced, moment, momentum[6];
-        struct rigid_grains_own own = own_of(work, i, &displaced, &moment);
-        if (!grain_moves(context, i)) {
-            motion_given(work, i, found[i]);
-            continue;
-        }
-        momentum_of(work, i, &own, displaced, momentum);
-        rigid_grains_solve(&work->rigid->sums[i - work->grains.first], &own, momentum, found[i]);
-    }
-    if (context->ghosts == NULL)
-        return;
-    struct field_list list = fields_one(rigid_fields_found_handle(p));
-    ghosts_forward_begin(context->ghosts, p, &list);
-    ghosts_forward_end(context->ghosts, p);
-}
-
 /* out[node] = the forcing that goes with v: which becomes it. Collective. */
-static void forcing_find(const struct work *work, double (*v)[3]) {
+static void forcing_find(const struct rigid_work *work, double (*v)[3]) {
     const struct solid_field *solid = &work->rigid->solid;
     const double(*found)[6] = (const double(*)[6])rigid_fields_found(work->context->particles);
-    momenta_find(work, (const double(*)[3])v);
-    motions_find(work);
+    rigid_sums_momenta(work, (const double(*)[3])v);
+    rigid_sums_motions(work);
 #pragma omp parallel for schedule(static)
     for (size_t node = 0; node < solid->nodes; node++) {
         double sum[3] = {0}, rigid[3];
@@ -220,7 +76,7 @@ static size_t row_of(const struct solid_field *solid, size_t node) {
 }
 
 /* v = w - dt / rho grad phi at the nodes of grains, phi in flow->increment. Collective. */
-static void bare_find(const struct work *work, double (*v)[3]) {
+static void bare_find(const struct rigid_work *work, double (*v)[3]) {
     struct projection *projection = work->fluid->projection;
     const struct solid_field *solid = &work->rigid->solid;
     flow_forward(work->flow, FLOW_INCREMENT);
@@ -233,7 +89,7 @@ static void bare_find(const struct work *work, double (*v)[3]) {
 }
 
 /* flow->predicted = w + q. */
-static void predicted_set(const struct work *work) {
+static void predicted_set(const struct rigid_work *work) {
     const struct solid_field *solid = &work->rigid->solid;
     size_t first = work->flow->weights->first;
     memcpy(work->flow->predicted + 3 * first, work->rigid->bare,
@@ -244,7 +100,7 @@ static void predicted_set(const struct work *work) {
 }
 
 /* The largest |w| and |q|. Collective. */
-static double speed_of(const struct work *work) {
+static double speed_of(const struct rigid_work *work) {
     double most = 0;
     for (size_t row = 0; row < work->rigid->rows; row++) {
         const double *w = work->rigid->bare[row];
@@ -259,7 +115,7 @@ static double speed_of(const struct work *work) {
 }
 
 /* What q lacks: root mean square over the nodes of grains. Collective. */
-static double size_of_lack(const struct work *work) {
+static double size_of_lack(const struct rigid_work *work) {
     double sum[2] = {0, (double)work->rigid->solid.nodes};
     for (size_t node = 0; node < work->rigid->solid.nodes; node++)
         for (int d = 0; d < 3; d++)
@@ -269,7 +125,7 @@ static double size_of_lack(const struct work *work) {
 }
 
 /* Tells once of a fixed point that was not found. */
-static void doubt(const struct work *work, double lack, double wanted) {
+static void doubt(const struct rigid_work *work, double lack, double wanted) {
     const struct physics_context *context = work->context;
     if (!(lack > 10 * wanted) || work->rigid->apart)
         return;
@@ -283,7 +139,7 @@ static void doubt(const struct work *work, double lack, double wanted) {
 }
 
 /* The fixed point of q. False, with an error, if a solver failed. Collective. */
-static bool forcing_loop(const struct work *work, struct error *error) {
+static bool forcing_loop(const struct rigid_work *work, struct error *error) {
     struct rigid *rigid = work->rigid;
     const struct solid_field *solid = &rigid->solid;
     bare_find(work, rigid->try);
@@ -311,7 +167,7 @@ static bool forcing_loop(const struct work *work, struct error *error) {
 }
 
 /* At the start the fluid in grains moves with them. Collective. */
-static void flow_begin(const struct work *work) {
+static void flow_begin(const struct rigid_work *work) {
     const struct physics_context *context = work->context;
     const struct solid_field *solid = &work->rigid->solid;
     struct particles *p = context->particles;
@@ -335,39 +191,8 @@ static void flow_begin(const struct work *work) {
     flow_forward(work->flow, FLOW_VELOCITY);
 }
 
-/* The loads: what the fluid loses, and what the fluid in the grain takes to follow. The momenta of v are in the field of loads. */
-static void loads_find(const struct work *work) {
-    struct particles *p = work->context->particles;
-    for (size_t i = work->grains.first; i < work->grains.end; i++) {
-        const struct rigid_grains_sums *sums = &work->rigid->sums[i - work->grains.first];
-        double *load = fluid_load(p)[i], *motion = rigid_fields_motion(p)[i], displaced, moment, given[6];
-        const double *found = rigid_fields_found(p)[i];
-        struct rigid_grains_own own = own_of(work, i, &displaced, &moment), whole = {0};
-        bool moves = grain_moves(work->context, i);
-        double mass = moves ? 1 / p->state[i].inverse_mass : 0,
-               inertia = 0.4 * mass * p->state[i].radius * p->state[i].radius;
-        whole.mass = moves ? mass - own.mass : displaced;
-        whole.inertia = moves ? inertia - own.inertia : moment;
-        own.late_mass = moves ? own.late_mass : 0;
-        own.late_inertia = moves ? own.late_inertia : 0;
-        rigid_grains_momentum(sums, found, given);
-        for (int d = 0; d < 3; d++) {
-            load[d] =
-                (load[d] - given[d] + whole.mass * (found[d] - motion[d]) - own.late_mass * motion[6 + d]) /
-                work->dt;
-            load[3 + d] = (load[3 + d] - given[3 + d] + whole.inertia * (found[3 + d] - motion[3 + d]) -
-                           own.late_inertia * motion[9 + d]) /
-                          work->dt;
-        }
-        for (int d = 0; d < 6; d++) {
-            motion[6 + d] = found[d] - motion[d];
-            motion[d] = found[d];
-        }
-    }
-}
-
 /* The fields that the next step reads: q and phi. */
-static void memory_take(const struct work *work, bool before) {
+static void memory_take(const struct rigid_work *work, bool before) {
     struct particles *p = work->context->particles;
     size_t first = work->flow->weights->first, rows = work->rigid->rows;
     double *potential = rigid_fields_potential(p) + first, *increment = work->flow->increment + first;
@@ -375,7 +200,7 @@ static void memory_take(const struct work *work, bool before) {
 }
 
 /* u, p and q at the end of the step. Collective. */
-static void flow_end(const struct work *work, double theta) {
+static void flow_end(const struct rigid_work *work, double theta) {
     struct rigid *rigid = work->rigid;
     double(*forcing)[3] = rigid_fields_forcing(work->context->particles) + work->flow->weights->first;
     for (size_t node = 0; node < rigid->solid.nodes; node++)
@@ -389,22 +214,23 @@ static void flow_end(const struct work *work, double theta) {
         memcpy(forcing[row_of(&rigid->solid, node)], rigid->try[node], sizeof *forcing);
 }
 
-static struct work work_make(const struct physics_context *context) {
+static struct rigid_work work_make(const struct physics_context *context) {
     struct fluid *fluid = context->self;
-    struct work work = {.context = context, .fluid = fluid, .rigid = fluid->rigid, .flow = &fluid->flow};
+    struct rigid_work work = {
+        .context = context, .fluid = fluid, .rigid = fluid->rigid, .flow = &fluid->flow};
     work.grains = kinds_span(context->particles, context->classes, KIND_GRAIN);
     work.dt = grain_dt(context);
     work.share = work.dt / fluid->options->density;
     work.kappa = places_of(context).kappa;
     solid_fill(context);
     room(work.rigid, fluid->weights.rows, work.grains.end - work.grains.first);
-    moments_find(&work);
+    rigid_sums_moments(&work);
     return work;
 }
 
 bool rigid_step(const struct physics_context *context, struct error *error) {
     struct fluid *fluid = context->self;
-    struct work work = work_make(context);
+    struct rigid_work work = work_make(context);
     size_t first = work.flow->weights->first;
     double(*forcing)[3] = rigid_fields_forcing(context->particles) + first,
     theta = projection_theta(&fluid->past);
@@ -421,7 +247,7 @@ bool rigid_step(const struct physics_context *context, struct error *error) {
         return false;
     memory_take(&work, false);
     flow_end(&work, theta);
-    loads_find(&work);
+    rigid_sums_loads(&work);
     fluid->past = (struct projection_past){fluid->past.steps + 1, work.dt};
     return true;
 }

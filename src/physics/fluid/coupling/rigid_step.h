@@ -13,24 +13,10 @@
 #define SCREE_COUPLING_RIGID_STEP_H
 
 #include "engine/physics.h"
-#include "physics/fluid/coupling/rigid_grains.h"
-#include "physics/fluid/coupling/solid_field.h"
-#include "physics/fluid/schemes/anderson.h"
+#include "physics/fluid/coupling/rigid_sums.h"
 
 #define RIGID_TOLERANCE 1e-3
 enum { RIGID_ITERATIONS = 12 };
-
-/* What a step keeps in memory; all owned. */
-struct rigid {
-    struct solid_field solid;
-    struct anderson anderson;
-    size_t rows, parts_room, grains;
-    double (*bare)[3];              /* w, by row of the weights */
-    double (*try)[3], (*lack)[3];   /* q, and what it lacks, by row that has parts of grains */
-    struct rigid_grains_sums *sums; /* by owned grain */
-    int64_t iterations, steps;      /* so far: solves of the pressure, and steps */
-    bool apart;                     /* it was told that a fixed point was not found */
-};
 
 /* After a rebuild: takes the pairs of nodes and grains. `pairs` are the rows of all pairs. */
 void rigid_step_pairs(const struct physics_context *context, struct rigid *rigid,
