@@ -81,7 +81,7 @@ silo*)
     case $case_name in
     *m2)
         set -- "$@" --set materials[grain].density=2000 --set materials[grain].young=5e8 --set 'material_pairs[grain, grain].restitution=0.4' \
-            --set 'material_pairs[grain, grain].friction=0.4' --set step.dt=2e-6
+            --set 'material_pairs[grain, grain].friction=0.4' --set step.dt=2e-6 --set step.force=true
         ;;
     esac
     ;;
