@@ -108,7 +108,7 @@ pour() {
         return
     fi
     bed_source=$(bed_source "$out/bed/trajectory.h5")
-    test ! -s "$out/bed.json" || { cat "$out/bed.json"; return; }
+    ! grep -q "\"simulated\": $fill," "$out/bed.json" 2>/dev/null || { cat "$out/bed.json"; return; }
     echo "pouring the bed: $fill s" >&2
     test -z "$bed" || set -- "$@" --set "particles.sources=[$bed]"
     # shellcheck disable=SC2086
