@@ -63,7 +63,8 @@ nobase_dist_pkgdata_DATA = \
 	%D%/shear_cell/README.md %D%/shear_cell/scene.yaml %D%/sphere_array/README.md %D%/sphere_array/scene.yaml \
 	%D%/taylor_green/README.md %D%/taylor_green/scene.yaml %D%/tumbling/README.md %D%/tumbling/picture.gp \
 	%D%/tumbling/scene.yaml %D%/two_sizes/README.md %D%/two_sizes/picture.gp %D%/two_sizes/scene.yaml \
-	%D%/wet_pile/README.md %D%/wet_pile/picture.gp %D%/wet_pile/scene.yaml
+	%D%/wet_pile/README.md %D%/wet_pile/picture.gp %D%/wet_pile/scene.yaml %D%/yade/README.md %D%/yade/gas.py \
+	%D%/yade/gas.yaml %D%/yade/yade.csv
 nobase_dist_pkgdata_SCRIPTS = \
 	%D%/bead_packing/breakthrough.sh %D%/bead_packing/check %D%/bead_packing/picture.sh %D%/bead_packing/run.sh \
 	%D%/bead_packing/section.sh %D%/bed_erosion/check %D%/bed_erosion/run.sh %D%/bed_erosion/section.sh \
@@ -83,4 +84,5 @@ nobase_dist_pkgdata_SCRIPTS = \
 	%D%/scaling/page.sh %D%/scaling/run.sh %D%/settling/check %D%/settling/run.sh %D%/settling/section.sh \
 	%D%/shear_cell/check %D%/shear_cell/run.sh %D%/speed-error.sh %D%/sphere_array/check %D%/sphere_array/run.sh \
 	%D%/step-fraction.sh %D%/taylor_green/check %D%/taylor_green/run.sh %D%/tumbling/check %D%/tumbling/run.sh \
-	%D%/tumbling/section.sh %D%/two_sizes/check %D%/two_sizes/run.sh %D%/wet_pile/check %D%/wet_pile/run.sh
+	%D%/tumbling/section.sh %D%/two_sizes/check %D%/two_sizes/run.sh %D%/wet_pile/check %D%/wet_pile/run.sh \
+	%D%/yade/run.sh

@@ -81,7 +81,7 @@ silo*)
     case $case_name in
     *m2)
         set -- "$@" --set materials[grain].density=2000 --set materials[grain].young=5e8 --set 'material_pairs[grain, grain].restitution=0.4' \
-            --set 'material_pairs[grain, grain].friction=0.4' --set step.dt=2e-6
+            --set 'material_pairs[grain, grain].friction=0.4' --set step.dt=2e-6 --set step.force=true
         ;;
     esac
     ;;
@@ -108,7 +108,7 @@ pour() {
         return
     fi
     bed_source=$(bed_source "$out/bed/trajectory.h5")
-    test ! -s "$out/bed.json" || { cat "$out/bed.json"; return; }
+    ! grep -q "\"simulated\": $fill," "$out/bed.json" 2>/dev/null || { cat "$out/bed.json"; return; }
     echo "pouring the bed: $fill s" >&2
     test -z "$bed" || set -- "$@" --set "particles.sources=[$bed]"
     # shellcheck disable=SC2086

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: BSD-3-Clause
 # The published benchmarks: the page is what its rows say, the judges tell good curves from bad ones, a case runs, stops and goes on;
-# LAMMPS's own examples have LAMMPS's forces.
+# LAMMPS's own examples have LAMMPS's forces, and a gas has the energies of Yade.
 set -u
 . "$top_srcdir/tests/app/common.sh"
 case $scree in /*) ;; *) scree=$PWD/$scree ;; esac
@@ -52,4 +52,7 @@ check "LAMMPS's examples: its forces and places" lammps 1 '--set threads=2'
 check 'so on three ranks, newton off' lammps 3 '--set threads=1 --set newton=off'
 others_differ() { ! lammps 1 '--set material_pairs[0].k_n=2000.1' >/dev/null; }
 check 'another stiffness is found out' others_differ
+check "Yade's gas: its energies" env SCREE="$scree" YADE=none "$top_srcdir/examples/yade/run.sh" "$out/yade"
+other_gas() { ! SCREE=$scree YADE=none SCREE_ARGS='--set material_pairs[0].restitution=0.82' "$top_srcdir/examples/yade/run.sh" "$out/yade" >said 2>&1; }
+check 'another restitution is found out' other_gas
 finish
