@@ -43,6 +43,8 @@ EXTRA_DIST += \
 	%D%/images/verify-order-hertz.svg %D%/images/verify-order-hooke.svg %D%/images/verify-periodic.svg \
 	%D%/images/verify-plane-mesh.svg %D%/images/verify-restitution-hertz.svg \
 	%D%/images/verify-restitution-hooke.svg %D%/images/verify-restitution-speed.svg \
+	%D%/images/verify-rock-energy.svg %D%/images/verify-rock-rest.svg %D%/images/verify-rock-rod.svg \
+	%D%/images/verify-rock-slope.svg %D%/images/verify-rock-stack.svg %D%/images/verify-rock-tumbling.svg \
 	%D%/images/verify-rolling-decay.svg %D%/images/verify-settling.svg %D%/images/verify-slide-to-roll.svg \
 	%D%/images/verify-stack.svg %D%/images/verify-sticking-velocity.svg %D%/images/verify-tumbling-clump.svg \
 	%D%/images/verify-turning-wall.svg %D%/images/verify-vyas.svg %D%/images/verify-wall-edge.svg \
