@@ -17,8 +17,8 @@ enum { COUNT = 200, MATERIALS = 3, LAWS = 8 * 2 * LAW_ELASTIC_COUNT };
 static const double edge = 4.8;
 static const char *const kernels[] = {"baseline", "x86-64-v3"};
 
-/* Law number k of all that the loop specialises, and some with other options. */
-static inline struct law law_number(int k, int materials) {
+/* A law of these options, with coefficients that differ by material. */
+static inline struct law law_with(const struct law_options *options, int materials) {
     static struct law_pair pair[MATERIALS * MATERIALS];
     struct law_material material[MATERIALS];
     for (int a = 0; a < MATERIALS; a++)
@@ -32,6 +32,15 @@ static inline struct law law_number(int k, int materials) {
                                                                     .k_t = 4e2 * (1.0 + a),
                                                                     .gamma_n = 5.0,
                                                                     .gamma_t = 2.0};
+    struct law law;
+    struct error error = {0};
+    if (!law_prepare(&law, options, materials, material, pair, &error))
+        fail_msg("%s", error.text);
+    return law;
+}
+
+/* Law number k of all that the loop specialises, and some with other options. */
+static inline struct law law_number(int k, int materials) {
     struct law_options o = law_options_default();
     int friction = k / (2 * LAW_ELASTIC_COUNT) % 5;
     o.normal = (enum law_normal)(k / 2 % LAW_ELASTIC_COUNT);
@@ -42,11 +51,17 @@ static inline struct law law_number(int k, int materials) {
     bool second = k >= 5 * 2 * LAW_ELASTIC_COUNT;
     o.end = second ? LAW_END_FORCE : LAW_END_OVERLAP;
     o.lammps_history = second && !o.synchronised;
-    struct law law;
-    struct error error = {0};
-    if (!law_prepare(&law, &o, materials, material, pair, &error))
-        fail_msg("%s", error.text);
-    return law;
+    return law_with(&o, materials);
+}
+
+/* LAMMPS's granular style. */
+static inline struct law law_granular(int materials) {
+    struct law_options o = law_options_default();
+    o.tangential = LAW_TANGENTIAL_HISTORY;
+    o.synchronised = false;
+    o.end = LAW_END_OVERLAP;
+    o.lammps_granular = true;
+    return law_with(&o, materials);
 }
 
 /* A dense random cloud in a periodic cube: small spheres and a few of three times the size. */
