@@ -577,7 +577,7 @@ check "a sphere in shear turns at half of its rate" spins_at_half
 # a heavy one speeds up by 8 pi mu R^3 / (2 I) = 0.480 at most, less while the shear grows
 spins_up() { spin 1000 20 && within "$(last_of spin particle1_wz)" -0.028 0.0104; }
 check "a heavy sphere in shear begins to turn with it" spins_up
-check "free grains among particles at rest" scene_refused 'fluid.grains|lagrangian' falling.yaml --set fluid.motion=fixed
+check "free grains with mirrors among particles at rest" scene_refused 'fluid.grains|lagrangian' falling.yaml --set fluid.motion=fixed --set fluid.grains='{motion: free, coupling: mirror}'
 
 # What a scene refuses at the start it refuses in a resume and in a later stage, too
 on_refused() { # WORDS SCENE FLAG...
