@@ -1,25 +1,25 @@
 # SPDX-License-Identifier: BSD-3-Clause
 # Examples: all of a folder ships and is installed; results of runs (out*) do not and are not.
 nobase_dist_pkgdata_DATA = \
-	%D%/README.md %D%/bead_packing/README.md %D%/bead_packing/close.yaml %D%/bead_packing/cut.awk \
-	%D%/bead_packing/flow.awk %D%/bead_packing/flow.sh %D%/bead_packing/open.awk %D%/bead_packing/open.sh \
-	%D%/bead_packing/packing.awk %D%/bead_packing/picture.awk %D%/bead_packing/picture.gp \
-	%D%/bead_packing/pour.sh %D%/bead_packing/pour.yaml %D%/bead_packing/published.txt \
-	%D%/bead_packing/scene.yaml %D%/bead_packing/section.awk %D%/bead_packing/summary.awk \
-	%D%/bed_erosion/README.md %D%/bed_erosion/bed.txt %D%/bed_erosion/discs.txt %D%/bed_erosion/fixed.txt \
-	%D%/bed_erosion/picture.gp %D%/bed_erosion/resolved.yaml %D%/bed_erosion/scene.yaml %D%/bench/ablation.tsv \
-	%D%/bench/bench.sh %D%/bench/bidisperse.yaml %D%/bench/chute.yaml %D%/bench/chute_settle.yaml \
-	%D%/bench/cohesion.yaml %D%/bench/in.bidisperse %D%/bench/in.cells %D%/bench/in.chute \
-	%D%/bench/in.continuous %D%/bench/needs.yaml %D%/bench/packing.sh %D%/bench/packing.yaml %D%/bench/pairs.py \
-	%D%/bench/performance-guards.md %D%/bench/performance-index.head.md %D%/bench/performance-journal.head.md \
-	%D%/bench/performance.head.md %D%/bench/tables.sh %D%/bidisperse/README.md \
-	%D%/bidisperse/bidisperse_R10.data.gz %D%/bidisperse/compare.awk %D%/bidisperse/energies.awk \
-	%D%/bidisperse/energies.csv %D%/bidisperse/scene.yaml %D%/bidisperse/step0.dump.gz \
-	%D%/bidisperse/step200.dump.gz %D%/blade/README.md %D%/blade/blade.txt %D%/blade/picture.gp \
-	%D%/blade/scene.yaml %D%/cavity/README.md %D%/cavity/scene.yaml %D%/column/README.md %D%/column/scene.yaml \
-	%D%/common.sh %D%/crushing/README.md %D%/crushing/crushing.gp %D%/crushing/curve.awk %D%/crushing/grains.awk \
-	%D%/crushing/picture.awk %D%/crushing/scene.yaml %D%/crushing/summary.awk %D%/drum/README.md \
-	%D%/drum/compare.awk %D%/drum/lammps-1.csv %D%/drum/lammps-2.csv %D%/drum/lammps/data.awk \
+	%D%/README.md %D%/ballast/README.md %D%/ballast/scene.yaml %D%/bead_packing/README.md \
+	%D%/bead_packing/close.yaml %D%/bead_packing/cut.awk %D%/bead_packing/flow.awk %D%/bead_packing/flow.sh \
+	%D%/bead_packing/open.awk %D%/bead_packing/open.sh %D%/bead_packing/packing.awk %D%/bead_packing/picture.awk \
+	%D%/bead_packing/picture.gp %D%/bead_packing/pour.sh %D%/bead_packing/pour.yaml \
+	%D%/bead_packing/published.txt %D%/bead_packing/scene.yaml %D%/bead_packing/section.awk \
+	%D%/bead_packing/summary.awk %D%/bed_erosion/README.md %D%/bed_erosion/bed.txt %D%/bed_erosion/discs.txt \
+	%D%/bed_erosion/fixed.txt %D%/bed_erosion/picture.gp %D%/bed_erosion/resolved.yaml \
+	%D%/bed_erosion/scene.yaml %D%/bench/ablation.tsv %D%/bench/bench.sh %D%/bench/bidisperse.yaml \
+	%D%/bench/chute.yaml %D%/bench/chute_settle.yaml %D%/bench/cohesion.yaml %D%/bench/in.bidisperse \
+	%D%/bench/in.cells %D%/bench/in.chute %D%/bench/in.continuous %D%/bench/needs.yaml %D%/bench/packing.sh \
+	%D%/bench/packing.yaml %D%/bench/pairs.py %D%/bench/performance-guards.md \
+	%D%/bench/performance-index.head.md %D%/bench/performance-journal.head.md %D%/bench/performance.head.md \
+	%D%/bench/tables.sh %D%/bidisperse/README.md %D%/bidisperse/bidisperse_R10.data.gz \
+	%D%/bidisperse/compare.awk %D%/bidisperse/energies.awk %D%/bidisperse/energies.csv %D%/bidisperse/scene.yaml \
+	%D%/bidisperse/step0.dump.gz %D%/bidisperse/step200.dump.gz %D%/blade/README.md %D%/blade/blade.txt \
+	%D%/blade/picture.gp %D%/blade/scene.yaml %D%/cavity/README.md %D%/cavity/scene.yaml %D%/column/README.md \
+	%D%/column/scene.yaml %D%/common.sh %D%/crushing/README.md %D%/crushing/crushing.gp %D%/crushing/curve.awk \
+	%D%/crushing/grains.awk %D%/crushing/picture.awk %D%/crushing/scene.yaml %D%/crushing/summary.awk \
+	%D%/drum/README.md %D%/drum/compare.awk %D%/drum/lammps-1.csv %D%/drum/lammps-2.csv %D%/drum/lammps/data.awk \
 	%D%/drum/lammps/in.drum %D%/drum/particles.txt.gz %D%/drum/scene.yaml %D%/drum/walls.txt %D%/drum/zones.gp \
 	%D%/dumbbells/README.md %D%/dumbbells/members.awk %D%/dumbbells/picture.gp %D%/dumbbells/scene.yaml \
 	%D%/electroosmosis/README.md %D%/electroosmosis/picture.gp %D%/electroosmosis/scene.yaml %D%/ergun/README.md \
@@ -50,16 +50,17 @@ nobase_dist_pkgdata_DATA = \
 	%D%/tumbling/scene.yaml %D%/two_sizes/README.md %D%/two_sizes/picture.gp %D%/two_sizes/scene.yaml \
 	%D%/wet_pile/README.md %D%/wet_pile/picture.gp %D%/wet_pile/scene.yaml
 nobase_dist_pkgdata_SCRIPTS = \
-	%D%/bead_packing/breakthrough.sh %D%/bead_packing/check %D%/bead_packing/picture.sh %D%/bead_packing/run.sh \
-	%D%/bead_packing/section.sh %D%/bed_erosion/check %D%/bed_erosion/run.sh %D%/bed_erosion/section.sh \
-	%D%/bench/auto.sh %D%/bench/bidisperse.sh %D%/bench/cells.sh %D%/bench/chute.sh %D%/bench/cohesion.sh \
-	%D%/bench/compare.sh %D%/bench/continuous.sh %D%/bench/fluid.sh %D%/bench/growth.sh %D%/bench/guards.sh \
-	%D%/bench/needs.sh %D%/bench/page.sh %D%/bench/penetration.sh %D%/bench/report.sh %D%/bench/roofline.sh \
-	%D%/bench/skin.sh %D%/bench/table1.sh %D%/bench/univol.sh %D%/bidisperse/check %D%/bidisperse/run.sh \
-	%D%/blade/check %D%/blade/run.sh %D%/cavity/check %D%/cavity/run.sh %D%/crushing/check %D%/crushing/run.sh \
-	%D%/drum/check %D%/drum/lammps/run.sh %D%/drum/run.sh %D%/dumbbells/check %D%/dumbbells/run.sh \
-	%D%/electroosmosis/check %D%/electroosmosis/run.sh %D%/electroosmosis/section.sh %D%/ergun/check \
-	%D%/ergun/run.sh %D%/ergun/section.sh %D%/flow.sh %D%/fluid_scaling/run.sh %D%/fluid_scaling/section.sh \
+	%D%/ballast/check %D%/ballast/run.sh %D%/bead_packing/breakthrough.sh %D%/bead_packing/check \
+	%D%/bead_packing/picture.sh %D%/bead_packing/run.sh %D%/bead_packing/section.sh %D%/bed_erosion/check \
+	%D%/bed_erosion/run.sh %D%/bed_erosion/section.sh %D%/bench/auto.sh %D%/bench/bidisperse.sh \
+	%D%/bench/cells.sh %D%/bench/chute.sh %D%/bench/cohesion.sh %D%/bench/compare.sh %D%/bench/continuous.sh \
+	%D%/bench/fluid.sh %D%/bench/growth.sh %D%/bench/guards.sh %D%/bench/needs.sh %D%/bench/page.sh \
+	%D%/bench/penetration.sh %D%/bench/report.sh %D%/bench/roofline.sh %D%/bench/skin.sh %D%/bench/table1.sh \
+	%D%/bench/univol.sh %D%/bidisperse/check %D%/bidisperse/run.sh %D%/blade/check %D%/blade/run.sh \
+	%D%/cavity/check %D%/cavity/run.sh %D%/crushing/check %D%/crushing/run.sh %D%/drum/check \
+	%D%/drum/lammps/run.sh %D%/drum/run.sh %D%/dumbbells/check %D%/dumbbells/run.sh %D%/electroosmosis/check \
+	%D%/electroosmosis/run.sh %D%/electroosmosis/section.sh %D%/ergun/check %D%/ergun/run.sh \
+	%D%/ergun/section.sh %D%/flow.sh %D%/fluid_scaling/run.sh %D%/fluid_scaling/section.sh \
 	%D%/fluidised_bed/check %D%/fluidised_bed/run.sh %D%/fluidised_bed/section.sh %D%/gallery/check \
 	%D%/gallery/run.sh %D%/gate/check %D%/gate/run.sh %D%/hard/run.sh %D%/heated_drum/check \
 	%D%/heated_drum/run.sh %D%/penetration/check %D%/penetration/lammps/run.sh %D%/penetration/layouts \
