@@ -26,7 +26,7 @@
     ROW(drag, drag, GRAINS, "drag and buoyancy of grains in a fluid that does not resolve them")             \
     ROW(heat, heat, GRAINS, "heat that grains conduct through contacts, with walls and through gas")         \
     ROW(bonds, bonds, GRAINS, "parallel bonds that hold grains together until they break")                   \
-    ROW(bodies, bodies, BODIES, "rigid bodies of spheres, which may overlap")                                \
+    ROW(bodies, bodies, BODIES, "rigid bodies: of spheres, which may overlap, and rocks with flat faces")    \
     ROW(fluid, fluid, OWN, "an incompressible fluid around grains and between walls (implicit SPH)")
 
 /* Physics whose sections stand in `contact` (data/scene/schema_contact.c); PHYSICS_TABLE: all that a scene may ask for. */
