@@ -17,9 +17,11 @@ nobase_dist_pkgdata_DATA = \
 	%D%/bidisperse/energies.csv %D%/bidisperse/scene.yaml %D%/bidisperse/step0.dump.gz \
 	%D%/bidisperse/step200.dump.gz %D%/blade/README.md %D%/blade/blade.txt %D%/blade/picture.gp \
 	%D%/blade/scene.yaml %D%/cavity/README.md %D%/cavity/scene.yaml %D%/column/README.md %D%/column/scene.yaml \
-	%D%/common.sh %D%/crushing/README.md %D%/crushing/crushing.gp %D%/crushing/curve.awk %D%/crushing/grains.awk \
-	%D%/crushing/picture.awk %D%/crushing/scene.yaml %D%/crushing/summary.awk %D%/dosta2024/README.md \
-	%D%/dosta2024/curves.awk %D%/dosta2024/curves/drum-liggghts.csv %D%/dosta2024/curves/drum-musen.csv \
+	%D%/columns/README.md %D%/columns/deposit.awk %D%/columns/laws.awk %D%/columns/pick.awk \
+	%D%/columns/picture.gp %D%/columns/plane.yaml %D%/columns/round.yaml %D%/common.sh %D%/crushing/README.md \
+	%D%/crushing/crushing.gp %D%/crushing/curve.awk %D%/crushing/grains.awk %D%/crushing/picture.awk \
+	%D%/crushing/scene.yaml %D%/crushing/summary.awk %D%/dosta2024/README.md %D%/dosta2024/curves.awk \
+	%D%/dosta2024/curves/drum-liggghts.csv %D%/dosta2024/curves/drum-musen.csv \
 	%D%/dosta2024/curves/drum-peclet.csv %D%/dosta2024/curves/impact100-liggghts.csv \
 	%D%/dosta2024/curves/impact100-musen.csv %D%/dosta2024/curves/impact100-peclet.csv \
 	%D%/dosta2024/curves/impact25-liggghts.csv %D%/dosta2024/curves/impact25-musen.csv \
@@ -72,17 +74,18 @@ nobase_dist_pkgdata_SCRIPTS = \
 	%D%/bench/compare.sh %D%/bench/continuous.sh %D%/bench/fluid.sh %D%/bench/growth.sh %D%/bench/guards.sh \
 	%D%/bench/needs.sh %D%/bench/page.sh %D%/bench/penetration.sh %D%/bench/report.sh %D%/bench/roofline.sh \
 	%D%/bench/skin.sh %D%/bench/table1.sh %D%/bench/univol.sh %D%/bidisperse/check %D%/bidisperse/run.sh \
-	%D%/blade/check %D%/blade/run.sh %D%/cavity/check %D%/cavity/run.sh %D%/crushing/check %D%/crushing/run.sh \
-	%D%/dosta2024/measure.sh %D%/dosta2024/page.sh %D%/dosta2024/run.sh %D%/drum/check %D%/drum/lammps/run.sh \
-	%D%/drum/run.sh %D%/dumbbells/check %D%/dumbbells/run.sh %D%/electroosmosis/check %D%/electroosmosis/run.sh \
-	%D%/electroosmosis/section.sh %D%/ergun/check %D%/ergun/run.sh %D%/ergun/section.sh %D%/flow.sh \
-	%D%/fluid_scaling/run.sh %D%/fluid_scaling/section.sh %D%/fluidised_bed/check %D%/fluidised_bed/run.sh \
-	%D%/fluidised_bed/section.sh %D%/gallery/check %D%/gallery/run.sh %D%/gate/check %D%/gate/run.sh \
-	%D%/hard/run.sh %D%/heated_drum/check %D%/heated_drum/run.sh %D%/lammps/check %D%/lammps/make.sh \
-	%D%/penetration/check %D%/penetration/lammps/run.sh %D%/penetration/layouts %D%/penetration/run.sh \
-	%D%/pores.sh %D%/pupcs/run.sh %D%/pupcs/sizes.sh %D%/repose/check %D%/repose/run.sh %D%/scaling/ghosts.sh \
-	%D%/scaling/page.sh %D%/scaling/run.sh %D%/settling/check %D%/settling/run.sh %D%/settling/section.sh \
-	%D%/shear_cell/check %D%/shear_cell/run.sh %D%/speed-error.sh %D%/sphere_array/check %D%/sphere_array/run.sh \
-	%D%/step-fraction.sh %D%/taylor_green/check %D%/taylor_green/run.sh %D%/tumbling/check %D%/tumbling/run.sh \
+	%D%/blade/check %D%/blade/run.sh %D%/cavity/check %D%/cavity/run.sh %D%/columns/run.sh %D%/crushing/check \
+	%D%/crushing/run.sh %D%/dosta2024/measure.sh %D%/dosta2024/page.sh %D%/dosta2024/run.sh %D%/drum/check \
+	%D%/drum/lammps/run.sh %D%/drum/run.sh %D%/dumbbells/check %D%/dumbbells/run.sh %D%/electroosmosis/check \
+	%D%/electroosmosis/run.sh %D%/electroosmosis/section.sh %D%/ergun/check %D%/ergun/run.sh \
+	%D%/ergun/section.sh %D%/flow.sh %D%/fluid_scaling/run.sh %D%/fluid_scaling/section.sh \
+	%D%/fluidised_bed/check %D%/fluidised_bed/run.sh %D%/fluidised_bed/section.sh %D%/gallery/check \
+	%D%/gallery/run.sh %D%/gate/check %D%/gate/run.sh %D%/hard/run.sh %D%/heated_drum/check \
+	%D%/heated_drum/run.sh %D%/lammps/check %D%/lammps/make.sh %D%/penetration/check \
+	%D%/penetration/lammps/run.sh %D%/penetration/layouts %D%/penetration/run.sh %D%/pores.sh %D%/pupcs/run.sh \
+	%D%/pupcs/sizes.sh %D%/repose/check %D%/repose/run.sh %D%/scaling/ghosts.sh %D%/scaling/page.sh \
+	%D%/scaling/run.sh %D%/settling/check %D%/settling/run.sh %D%/settling/section.sh %D%/shear_cell/check \
+	%D%/shear_cell/run.sh %D%/speed-error.sh %D%/sphere_array/check %D%/sphere_array/run.sh %D%/step-fraction.sh \
+	%D%/taylor_green/check %D%/taylor_green/run.sh %D%/tumbling/check %D%/tumbling/run.sh \
 	%D%/tumbling/section.sh %D%/two_sizes/check %D%/two_sizes/run.sh %D%/wet_pile/check %D%/wet_pile/run.sh \
 	%D%/yade/run.sh
