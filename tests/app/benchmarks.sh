@@ -52,6 +52,24 @@ check "LAMMPS's examples: its forces and places" lammps 1 '--set threads=2'
 check 'so on three ranks, newton off' lammps 3 '--set threads=1 --set newton=off'
 others_differ() { ! lammps 1 '--set material_pairs[0].k_n=2000.1' >/dev/null; }
 check 'another stiffness is found out' others_differ
+# columns: a small one that has no time to fall makes a line and fails; columns on the laws pass, those that run out by half as much again fail
+small_column() {
+    SCREE=$scree SERIES=plane ASPECTS=0.5 SCREE_ARGS='--set stages[settle].duration=1e-3 --set stages[collapse].duration=1e-3' \
+        "$top_srcdir/examples/columns/run.sh" --quick "$out/columns" >lines 2>said
+    [ $? = 1 ] && [ "$(grep -cE '^\{"shape": "plane", "sizes": 1, "grains": [1-9][0-9]*, "aspect": 0\.[45][0-9]*, "run_out": [-0-9.]+, "height": 0\.[45][0-9]*, ' lines)" = 1 ] &&
+        tail -n 1 lines | grep -q '"columns": 1, "outside": 1, "passed": false' || { cat lines said; return 1; }
+}
+laws() { # FACTOR
+    for a in 0.5 1 2 4 8; do
+        awk -v a=$a -v f="$1" 'BEGIN {
+            printf "{\"shape\": \"round\", \"sizes\": 1, \"aspect\": %g, \"run_out\": %g}\n", a, f * (a < 1.7 ? 1.24 * a : 1.6 * sqrt(a))
+            printf "{\"shape\": \"plane\", \"sizes\": 10, \"aspect\": %g, \"run_out\": %g}\n", a, f * (a < 2.3 ? 1.2 * a : 1.9 * a ^ (2 / 3)) }'
+    done | awk -f "$top_srcdir/examples/columns/laws.awk" >said
+}
+check 'a column makes a line, and one that has not fallen fails' small_column
+check 'columns that follow the laws pass' laws 1
+others_run() { ! laws 1.5; }
+check 'columns that run out by half as much again fail' others_run
 check "Yade's gas: its energies" env SCREE="$scree" YADE=none "$top_srcdir/examples/yade/run.sh" "$out/yade"
 other_gas() { ! SCREE=$scree YADE=none SCREE_ARGS='--set material_pairs[0].restitution=0.82' "$top_srcdir/examples/yade/run.sh" "$out/yade" >said 2>&1; }
 check 'another restitution is found out' other_gas

@@ -128,6 +128,7 @@ docs/python.md                   tests/python/test_tutorial.py
 docs/user-law.md                 tests/app/user_law.sh
 docs/view.md                     it waits for a page, or takes a port that may not be free; tests/app/view.sh
 docs/packaging/README.md         it builds packages; make deb
+examples/columns/README.md       an hour; tests/app/benchmarks.sh
 examples/dosta2024/README.md     hours; tests/app/benchmarks.sh
 examples/library/README.md       tests/app/library.sh
 examples/verify/README.md        tests/app/verify.sh
