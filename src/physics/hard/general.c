@@ -58,7 +58,7 @@ double hard_general_slide(const struct hard_row *row, const struct hard_body *a,
     return 0.5 * (f.w[4] + f.w[8]);
 }
 
-/* Linear springs. An overlap is released no faster than the row allows. */
+/* Linear springs. An overlap is released as hard_wish releases it. */
 static void linear(struct framed *f, const struct hard_row *row) {
     struct hard_local local = {.friction = row->friction};
     memcpy(local.a, f->w, sizeof local.a);
@@ -70,8 +70,8 @@ static void linear(struct framed *f, const struct hard_row *row) {
         local.c[d] = f->free[d] - row->soft_t * hard_dot(row->hold, f->axis[d]);
     row->arm->relax(&local, f->p);
     if (f->p[0] > 0.0 && f->free[0] + hard_dot(f->w, f->p) > row->release) {
-        local.a[0] = f->w[0];
-        local.c[0] = f->free[0] - row->release;
+        local.a[0] = f->w[0] + HARD_RELEASE_PART * row->soft_n;
+        local.c[0] = f->free[0] - row->release + HARD_RELEASE_PART * (row->release + row->bias);
         row->arm->relax(&local, f->p);
     }
     if (f->p[0] < row->least) { /* the normal impulse is given: the tangential one follows */

@@ -208,8 +208,8 @@ static void springs_of(const struct record *record, double u_n, double dt, doubl
         if (row->shear * root > 0.0)
             soft[1] = 1.0 / (row->shear * root);
     } else if (row->release - free < -(free + row->bias) * push / (push + row->soft_n)) {
-        soft[0] = 0.0;
-        *bias = -row->release;
+        soft[0] = HARD_RELEASE_PART * row->soft_n;
+        *bias = HARD_RELEASE_PART * (row->release + row->bias) - row->release;
     }
 }
 

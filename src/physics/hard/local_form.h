@@ -4,7 +4,7 @@
  *
  * A row with springs is a rigid one with a softer W: u_n + bias + soft_n p >= 0 beside p >= 0 is its normal row, and
  * u_t + soft_t (q - hold) slides against q. What a row of row.h has beyond that is given as it is at the solution: Hertz's spring
- * by its tangent, and a row that is released at its largest speed as a rigid one with that speed. The pass of restitution
+ * by its tangent, and a row that is released at its largest speed by the spring that it then has. The pass of restitution
  * is no part of the problem. */
 #ifndef SCREE_HARD_LOCAL_FORM_H
 #define SCREE_HARD_LOCAL_FORM_H
