@@ -41,10 +41,13 @@ static inline bool force_alike(const struct force_batch *restrict b) {
 static inline void force_mix(const struct law *law, struct force_batch *b) {
     const uint8_t *p = b->material[0], *q = b->material[1];
     const int alike = force_alike(b) ? p[0] * law->materials + q[0] : FORCE_UNLIKE;
-    const int count = alike == FORCE_UNLIKE ? b->walk.padded : FORCE_BATCH;
-    for (int k = 0; k < count && (alike == FORCE_UNLIKE || alike != b->alike); k++)
-        force_set_materials(law, b, k, alike == FORCE_UNLIKE ? p[k] : p[0],
-                            alike == FORCE_UNLIKE ? q[k] : q[0]);
+    const bool plain = !law->general && law->options.user == NULL;
+    for (int k = 0; plain && alike == FORCE_UNLIKE && k < b->walk.padded; k++)
+        force_set_coefficients(b, k, law_pair_of(law, p[k], q[k]));
+    for (int k = 0; !plain && alike == FORCE_UNLIKE && k < b->walk.padded; k++)
+        force_set_materials(law, b, k, p[k], q[k]);
+    for (int k = 0; alike != FORCE_UNLIKE && alike != b->alike && k < FORCE_BATCH; k++)
+        force_set_materials(law, b, k, p[0], q[0]);
     b->alike = alike;
 }
 
