@@ -148,7 +148,7 @@ static const struct schema_name simd_names[] = {
     {"auto", SCENE_SIMD_AUTO, NULL},
     {"baseline", SCENE_SIMD_BASELINE, "the instructions that every CPU of the architecture has"},
     {"x86-64-v3", SCENE_SIMD_V3, "AVX2"},
-    {"x86-64-v4", SCENE_SIMD_V4, "AVX-512 in the search; forces take AVX2"},
+    {"x86-64-v4", SCENE_SIMD_V4, "AVX-512"},
     {0}};
 static const char *index_choice(int k, const char **help) {
     if (k >= index_registry_count())

@@ -17,9 +17,12 @@ libwalk_baseline_la_SOURCES = $(WALK_SOURCES)
 libwalk_baseline_la_CFLAGS = $(KERNEL_CFLAGS)
 libwalk_baseline_la_CPPFLAGS = $(AM_CPPFLAGS) $(KERNEL_CPPFLAGS) -DWALK_KERNEL=walk_kernel_baseline
 if X86_KERNELS
-noinst_LTLIBRARIES += libwalk_v3.la
+noinst_LTLIBRARIES += libwalk_v3.la libwalk_v4.la
 libwalk_v3_la_SOURCES = $(WALK_SOURCES)
 libwalk_v3_la_CFLAGS = $(KERNEL_CFLAGS) $(KERNEL_V3)
 libwalk_v3_la_CPPFLAGS = $(AM_CPPFLAGS) $(KERNEL_CPPFLAGS) -DWALK_KERNEL=walk_kernel_v3
-libpairs_la_LIBADD += libwalk_v3.la
+libwalk_v4_la_SOURCES = $(WALK_SOURCES)
+libwalk_v4_la_CFLAGS = $(KERNEL_CFLAGS) $(KERNEL_V4)
+libwalk_v4_la_CPPFLAGS = $(AM_CPPFLAGS) $(KERNEL_CPPFLAGS) -DWALK_KERNEL=walk_kernel_v4
+libpairs_la_LIBADD += libwalk_v3.la libwalk_v4.la
 endif

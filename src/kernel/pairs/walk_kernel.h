@@ -15,6 +15,7 @@ const struct walk_kernel *walk_kernel_get(int level);
 extern const struct walk_kernel walk_kernel_baseline;
 #ifdef SCREE_X86_KERNELS
 extern const struct walk_kernel walk_kernel_v3; /* x86-64-v3: AVX2 */
+extern const struct walk_kernel walk_kernel_v4; /* x86-64-v4: AVX-512 */
 #endif
 
 #endif

@@ -35,7 +35,7 @@ const struct walk_kernel *walk_kernel_get(int level) {
         &walk_kernel_baseline,
 #ifdef SCREE_X86_KERNELS
         &walk_kernel_v3,
-        &walk_kernel_v3, /* wider vectors gain nothing here (docs/performance-journal.md); the search of the index has them */
+        &walk_kernel_v4,
 #endif
     };
     return kernels[level];

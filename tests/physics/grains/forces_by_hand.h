@@ -15,7 +15,7 @@
 enum { COUNT = 200, MATERIALS = 3, LAWS = 8 * 2 * LAW_ELASTIC_COUNT };
 
 static const double edge = 4.8;
-static const char *const kernels[] = {"baseline", "x86-64-v3"};
+static const char *const kernels[] = {"baseline", "x86-64-v3", "x86-64-v4"};
 
 /* A law of these options, with coefficients that differ by material. */
 static inline struct law law_with(const struct law_options *options, int materials) {

@@ -19,7 +19,8 @@ const struct force_kernel *force_kernel_find(const char *name) {
     static const struct force_kernel *const kernels[] = {
         &force_kernel_baseline,
 #ifdef SCREE_X86_KERNELS
-        &force_kernel_v3, &force_kernel_v3, /* of x86-64-v4, as the walk has it */
+        &force_kernel_v3,
+        &force_kernel_v4,
 #endif
     };
     int level = walk_level(name);

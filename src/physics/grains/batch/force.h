@@ -94,7 +94,7 @@ struct force_loop;
 struct force_loop *force_loop_create(int threads);
 void force_loop_destroy(struct force_loop **loop);
 
-/* The name of the kernel in use: "x86-64-v3" or "baseline". force_loop_choose chooses another
+/* The name of the kernel in use: "x86-64-v4", "x86-64-v3" or "baseline". force_loop_choose chooses another
  * kernel, for tests and measurements; false if no kernel has that name or the CPU cannot run the kernel. */
 const char *force_loop_kernel(const struct force_loop *loop);
 bool force_loop_choose(struct force_loop *loop, const char *kernel);

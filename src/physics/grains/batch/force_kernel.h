@@ -167,6 +167,7 @@ const struct force_kernel *force_kernel_find(const char *name);
 extern const struct force_kernel force_kernel_baseline;
 #ifdef SCREE_X86_KERNELS
 extern const struct force_kernel force_kernel_v3; /* x86-64-v3: AVX2 */
+extern const struct force_kernel force_kernel_v4; /* x86-64-v4: AVX-512 */
 #endif
 
 #endif

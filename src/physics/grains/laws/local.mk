@@ -32,10 +32,14 @@ libforce_baseline_la_CFLAGS = $(KERNEL_CFLAGS)
 libforce_baseline_la_CPPFLAGS = $(AM_CPPFLAGS) $(KERNEL_CPPFLAGS) -DFORCE_KERNEL=force_kernel_baseline \
 	-DFORCE_KERNEL_NAME='"baseline"'
 if X86_KERNELS
-noinst_LTLIBRARIES += libforce_v3.la
+noinst_LTLIBRARIES += libforce_v3.la libforce_v4.la
 libforce_v3_la_SOURCES = $(FORCE_SOURCES)
 libforce_v3_la_CFLAGS = $(KERNEL_CFLAGS) $(KERNEL_V3)
 libforce_v3_la_CPPFLAGS = $(AM_CPPFLAGS) $(KERNEL_CPPFLAGS) -DFORCE_KERNEL=force_kernel_v3 \
 	-DFORCE_KERNEL_NAME='"x86-64-v3"'
-libcontact_la_LIBADD += libforce_v3.la
+libforce_v4_la_SOURCES = $(FORCE_SOURCES)
+libforce_v4_la_CFLAGS = $(KERNEL_CFLAGS) $(KERNEL_V4)
+libforce_v4_la_CPPFLAGS = $(AM_CPPFLAGS) $(KERNEL_CPPFLAGS) -DFORCE_KERNEL=force_kernel_v4 \
+	-DFORCE_KERNEL_NAME='"x86-64-v4"'
+libcontact_la_LIBADD += libforce_v3.la libforce_v4.la
 endif
