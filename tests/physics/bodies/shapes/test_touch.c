@@ -243,7 +243,7 @@ static void against_ccd(void **state) {
 #else
 static void against_ccd(void **state) {
     (void)state;
-    print_message("not compared with libccd, which was not there when configure ran (Debian: libccd-dev)\n");
+    print_message("skipped on 1 ranks: no libccd when configure ran (Debian: libccd-dev)\n");
     skip();
 }
 #endif
