@@ -1,16 +1,13 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* Observables of the whole run: energies, momenta, stress, counts. */
 #include "data/observe/observables_kinds.h"
+#include "base/vector.h"
 #include "kernel/particles/spin.h"
 #include "kernel/particles/groups.h"
 #include "kernel/particles/kinds.h"
 
 #include <math.h>
 #include <string.h>
-
-static double dot(const double a[3], const double b[3]) {
-    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
 
 /* Position in the user's coordinates, not wrapped where crossings are counted; the velocity `v` of the particle becomes that of
  * this image (NULL: not wanted). */
@@ -50,7 +47,7 @@ static void add_kinetic(const struct output_view *view, const struct observable_
     double v[3];
     observables_velocity_of_body(view, i, v);
     if (is_free(view->particles, i))
-        part[0] += 0.5 * dot(v, v) / view->particles->state[i].inverse_mass;
+        part[0] += 0.5 * vector_dot(v, v) / view->particles->state[i].inverse_mass;
 }
 
 static void add_rotational(const struct output_view *view, const struct observable_item *item, size_t i,
@@ -70,7 +67,8 @@ static void add_rotational(const struct output_view *view, const struct observab
             square += (v[d] - centre[d]) * (v[d] - centre[d]);
     }
     part[0] += 0.5 * square / state->inverse_mass;
-    part[0] += 0.2 * state->radius * state->radius * dot(w, w) / state->inverse_mass; /* I = 2/5 m r^2 */
+    part[0] +=
+        0.2 * state->radius * state->radius * vector_dot(w, w) / state->inverse_mass; /* I = 2/5 m r^2 */
 }
 
 static void add_gravity(const struct output_view *view, const struct observable_item *item, size_t i,
@@ -79,7 +77,7 @@ static void add_gravity(const struct output_view *view, const struct observable_
     double x[3];
     unwrapped(view, i, x, NULL);
     if (is_free(view->particles, i))
-        part[0] -= dot(view->motion->gravity, x) / view->particles->state[i].inverse_mass;
+        part[0] -= vector_dot(view->motion->gravity, x) / view->particles->state[i].inverse_mass;
 }
 
 static void add_momentum(const struct output_view *view, const struct observable_item *item, size_t i,
@@ -137,7 +135,7 @@ static void take_speed(const struct output_view *view, const struct observable_i
     (void)item;
     double v[3];
     observables_velocity(view, i, v, NULL);
-    part[0] = fmax(part[0], sqrt(dot(v, v)));
+    part[0] = fmax(part[0], sqrt(vector_dot(v, v)));
 }
 
 static void elastic_normal(const struct observable_context *context, struct observable_item *item,
@@ -245,7 +243,7 @@ static bool has_springs(const struct output_view *view) {
 }
 
 static bool has_gravity(const struct output_view *view) {
-    return view->staged || dot(view->motion->gravity, view->motion->gravity) > 0;
+    return view->staged || vector_dot(view->motion->gravity, view->motion->gravity) > 0;
 }
 
 static bool has_walls(const struct output_view *view) {

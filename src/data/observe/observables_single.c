@@ -1,15 +1,12 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* Observables of one wall, one particle, one region. */
 #include "data/observe/observables_kinds.h"
+#include "base/vector.h"
 #include "kernel/particles/material.h"
 #include "kernel/particles/spin.h"
 
 #include <math.h>
 #include <string.h>
-
-static double dot(const double a[3], const double b[3]) {
-    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
 
 static void force_on_wall(const struct observable_context *context, struct observable_item *item,
                           double *part) {
@@ -128,14 +125,14 @@ bool observables_region_contains(const struct output_region *region, const doubl
     for (int d = 0; d < 3; d++)
         out[d] = x[d] - region->centre[d];
     if (region->shape == OUTPUT_REGION_CYLINDER) {
-        double length = sqrt(dot(region->axis, region->axis));
-        along = dot(out, region->axis) / length;
+        double length = sqrt(vector_dot(region->axis, region->axis));
+        along = vector_dot(out, region->axis) / length;
         for (int d = 0; d < 3; d++)
             out[d] -= along * region->axis[d] / length;
         if (region->length > 0 && (along < -region->length / 2 || along >= region->length / 2))
             return false;
     }
-    return dot(out, out) < region->radius * region->radius;
+    return vector_dot(out, out) < region->radius * region->radius;
 }
 
 bool observables_item_counts(const struct output_view *view, const struct observable_item *item, size_t i) {

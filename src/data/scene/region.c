@@ -1,20 +1,17 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* Regions: test of a point, bounds and volumes, random points. Read region.h first. */
 #include "data/scene/region.h"
+#include "base/vector.h"
 
 #include <math.h>
 #include <string.h>
-
-static double dot(const double a[3], const double b[3]) {
-    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
 
 bool region_contains(const struct region *region, const struct region_space *space, const double x[3],
                      double margin) {
     double d[3] = {x[0] - region->centre[0], x[1] - region->centre[1], x[2] - region->centre[2]};
     if (space->dimension == 2)
         d[2] = 0;
-    double along = dot(d, region->axis);
+    double along = vector_dot(d, region->axis);
     double room = region->radius - margin;
     switch (region->shape) {
     case REGION_ALL:
@@ -28,7 +25,7 @@ bool region_contains(const struct region *region, const struct region_space *spa
         }
         return true;
     case REGION_SPHERE:
-        return room >= 0 && dot(d, d) <= room * room;
+        return room >= 0 && vector_dot(d, d) <= room * room;
     case REGION_SURFACE: {
         double depth = region->surface->depth(region->surface->context, x);
         return depth > 0 && depth >= margin;
@@ -36,7 +33,7 @@ bool region_contains(const struct region *region, const struct region_space *spa
     default:
         if (space->dimension == 3 && fabs(along) > region->length / 2 - margin)
             return false;
-        return room >= 0 && dot(d, d) - along * along <= room * room;
+        return room >= 0 && vector_dot(d, d) - along * along <= room * room;
     }
 }
 
@@ -132,10 +129,10 @@ static void hold_round(const struct region *region, const struct region_space *s
     double d[3], across[3], most = region->radius - margin;
     for (int k = 0; k < 3; k++)
         d[k] = k < space->dimension ? x[k] - region->centre[k] : 0;
-    double along = rod ? dot(d, region->axis) : 0, end = region->length / 2 - margin;
+    double along = rod ? vector_dot(d, region->axis) : 0, end = region->length / 2 - margin;
     for (int k = 0; k < 3; k++)
         across[k] = rod ? d[k] - along * region->axis[k] : d[k];
-    double square = dot(across, across), part = square > most * most ? most / sqrt(square) : 1;
+    double square = vector_dot(across, across), part = square > most * most ? most / sqrt(square) : 1;
     double held = rod && space->dimension == 3 ? fmax(fmin(along, end), -end) : along;
     for (int k = 0; k < space->dimension && (part < 1 || held != along); k++)
         x[k] = region->centre[k] + part * across[k] + (rod ? held * region->axis[k] : 0);

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* The contacts of rocks in a step: points, the law at each point, forces and torques. Read rocks.h first. */
 #include "physics/bodies/rocks_state.h"
+#include "base/vector.h"
 #include "physics/bodies/rotor.h"
 #include "physics/grains/grains.h"
 #include "physics/grains/laws/law_kernel.h"
@@ -44,10 +45,6 @@ static void cross(const double a[3], const double b[3], double c[3]) {
     }
 }
 
-static double dot(const double a[3], const double b[3]) {
-    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
 static struct law_vector vector(const double a[3]) {
     return (struct law_vector){a[0], a[1], a[2]};
 }
@@ -84,7 +81,7 @@ static bool ends_make(const struct scene_of *scene, const struct rocks_pair *pai
         b = &scene->particles->state[pair->end[1]];
         inverse += b->inverse_mass;
         rocks_apart(pair, scene->particles, scene->list, ends->apart);
-        if (!(dot(ends->apart, ends->apart) < (a->radius + b->radius) * (a->radius + b->radius)))
+        if (!(vector_dot(ends->apart, ends->apart) < (a->radius + b->radius) * (a->radius + b->radius)))
             return false;
         ends->posed[1] = posed_of(scene, pair->end[1]);
         ends->ball = fmin(a->radius, b->radius);
@@ -131,8 +128,8 @@ static void points_match(const struct rocks_pair *pair, const struct ends *ends,
             double off[3];
             for (int d = 0; d < 3; d++)
                 off[d] = pair->point[m].place[d] - now[k].place[d];
-            if (!taken[m] && dot(off, off) < least) {
-                least = dot(off, off);
+            if (!taken[m] && vector_dot(off, off) < least) {
+                least = vector_dot(off, off);
                 best = m;
             }
         }
@@ -302,7 +299,7 @@ static void forces_add(const struct rocks *rocks, const struct particles *p) {
 
 /* The force of a rock on a plane acts where its torque says: at an arm across the force. */
 static void wall_push(const struct scene_of *scene, struct walls *walls, const struct rocks_pair *pair) {
-    double square = dot(pair->force, pair->force), arm[3], point[3];
+    double square = vector_dot(pair->force, pair->force), arm[3], point[3];
     struct wall_place place = {.wall = pair->wall};
     if (!(square > 0))
         return;

@@ -8,6 +8,7 @@
 #ifndef SCREE_HARD_ARM_H
 #define SCREE_HARD_ARM_H
 
+#include "base/vector.h"
 #include <math.h>
 #include <stddef.h>
 
@@ -32,16 +33,6 @@ struct hard_arm {
     hard_relaxation *relax;
 };
 
-static inline double hard_dot(const double a[3], const double b[3]) {
-    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
-static inline void hard_cross(const double a[3], const double b[3], double out[3]) {
-    out[0] = a[1] * b[2] - a[2] * b[1];
-    out[1] = a[2] * b[0] - a[0] * b[2];
-    out[2] = a[0] * b[1] - a[1] * b[0];
-}
-
 /* The spin that a moment gives a body with this `turn`, over its `swing`. */
 static inline void hard_turned(const double *turn, const double moment[3], double out[3]) {
     if (turn == NULL) {
@@ -59,8 +50,8 @@ static inline void hard_turned(const double *turn, const double moment[3], doubl
 static inline void hard_arm_velocity(const struct hard_arm *arm, const struct hard_body *a,
                                      const struct hard_body *b, double u[3]) {
     double by_a[3], by_b[3];
-    hard_cross(a->w, arm->lever[0], by_a);
-    hard_cross(b->w, arm->lever[1], by_b);
+    vector_cross(a->w, arm->lever[0], by_a);
+    vector_cross(b->w, arm->lever[1], by_b);
     for (int d = 0; d < 3; d++)
         u[d] = (b->v[d] + by_b[d]) - (a->v[d] + by_a[d]);
 }
@@ -70,7 +61,7 @@ static inline void hard_arm_apply(const struct hard_arm *arm, struct hard_body *
                                   const double impulse[3]) {
     double moment[3], spin[2][3];
     for (int e = 0; e < 2; e++) {
-        hard_cross(arm->lever[e], impulse, moment);
+        vector_cross(arm->lever[e], impulse, moment);
         hard_turned(arm->turn[e], moment, spin[e]);
     }
     for (int d = 0; d < 3; d++) {

@@ -112,7 +112,8 @@ double hard_clumps_set(const struct hard_clumps *clumps, struct hard_problem *pr
             continue;
         *body = clumps->free[b];
         double radius = clumps->context->particles->state[row->particle].radius, square = 0.0;
-        fastest = fmax(fastest, sqrt(hard_dot(body->v, body->v)) + radius * sqrt(hard_dot(body->w, body->w)));
+        fastest =
+            fmax(fastest, sqrt(vector_dot(body->v, body->v)) + radius * sqrt(vector_dot(body->w, body->w)));
         const double *v = bodies_velocity(clumps->context->particles)[row->particle];
         for (int d = 0; d < 3 && free; d++)
             square += (body->v[d] - v[d]) * (body->v[d] - v[d]);

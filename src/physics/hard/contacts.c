@@ -41,10 +41,10 @@ static int material_number(const struct hard_scene *scene, size_t i) {
 
 /* Turns a vector of the tangent plane into that of `normal`, with its length. */
 static void turn(const double old[3], const double normal[3], double out[3]) {
-    double along = hard_dot(old, normal), before = hard_dot(old, old), after = 0.0;
+    double along = vector_dot(old, normal), before = vector_dot(old, old), after = 0.0;
     for (int d = 0; d < 3; d++)
         out[d] = old[d] - along * normal[d];
-    after = hard_dot(out, out);
+    after = vector_dot(out, out);
     for (int d = 0; d < 3 && after > 0.0; d++)
         out[d] *= sqrt(before / after);
 }
@@ -124,7 +124,7 @@ static void row_finish(struct hard_row *row, const struct hard_problem *problem,
     else
         stiffen_rigid(row, terms, pace, a, b, smaller);
     hard_velocity(row, a, b, u);
-    row->approach = -hard_dot(u, row->normal);
+    row->approach = -vector_dot(u, row->normal);
     double keep = pace->sweeps >= warm_sweeps * kappa_of(row, pace, push) ? 1.0 : warm_part;
     turn(memory->rub, row->normal, row->hold);
     row->impact = memory->push <= 0.0 && row->approach > pace->rest && is_brief(row, term, pace, ends->light);
@@ -146,7 +146,7 @@ double hard_contacts_separate(const struct hard_pairs *pairs, const struct hard_
     const double *shift = scene->list->shift[pairs->image[m]];
     for (int d = 0; d < 3; d++)
         apart[d] = (j->x[d] - i->x[d]) + shift[d];
-    *distance = sqrt(hard_dot(apart, apart));
+    *distance = sqrt(vector_dot(apart, apart));
     return *distance - i->radius - j->radius;
 }
 

@@ -21,11 +21,11 @@ static void tangents_make(double axis[3][3]) {
         k = 2;
     double side[3] = {0.0, 0.0, 0.0}, length;
     side[k] = 1.0;
-    hard_cross(n, side, axis[1]);
-    length = sqrt(hard_dot(axis[1], axis[1]));
+    vector_cross(n, side, axis[1]);
+    length = sqrt(vector_dot(axis[1], axis[1]));
     for (int d = 0; d < 3; d++)
         axis[1][d] /= length;
-    hard_cross(n, axis[1], axis[2]);
+    vector_cross(n, axis[1], axis[2]);
 }
 
 static void framed_make(struct framed *f, const struct hard_row *row, const struct hard_body *a,
@@ -34,16 +34,16 @@ static void framed_make(struct framed *f, const struct hard_row *row, const stru
     memcpy(f->axis[0], row->normal, sizeof row->normal);
     tangents_make(f->axis);
     f->p[0] = row->p;
-    f->p[1] = hard_dot(row->q, f->axis[1]);
-    f->p[2] = hard_dot(row->q, f->axis[2]);
+    f->p[1] = vector_dot(row->q, f->axis[1]);
+    f->p[2] = vector_dot(row->q, f->axis[2]);
     for (int k = 0; k < 3; k++) {
         hard_arm_change(row->arm, a, b, f->axis[k], u);
         for (int d = 0; d < 3; d++)
-            f->w[3 * d + k] = hard_dot(f->axis[d], u);
+            f->w[3 * d + k] = vector_dot(f->axis[d], u);
     }
     hard_arm_velocity(row->arm, a, b, u);
     for (int d = 0; d < 3; d++)
-        f->free[d] = hard_dot(f->axis[d], u) - hard_dot(f->w + 3 * d, f->p);
+        f->free[d] = vector_dot(f->axis[d], u) - vector_dot(f->w + 3 * d, f->p);
 }
 
 /* The impulse in the tangent plane. */
@@ -67,9 +67,9 @@ static void linear(struct framed *f, const struct hard_row *row) {
     local.a[8] += row->soft_t;
     local.c[0] = f->free[0] + row->bias;
     for (int d = 1; d < 3; d++)
-        local.c[d] = f->free[d] - row->soft_t * hard_dot(row->hold, f->axis[d]);
+        local.c[d] = f->free[d] - row->soft_t * vector_dot(row->hold, f->axis[d]);
     row->arm->relax(&local, f->p);
-    if (f->p[0] > 0.0 && f->free[0] + hard_dot(f->w, f->p) > row->release) {
+    if (f->p[0] > 0.0 && f->free[0] + vector_dot(f->w, f->p) > row->release) {
         local.a[0] = f->w[0] + HARD_RELEASE_PART * row->soft_n;
         local.c[0] = f->free[0] - row->release + HARD_RELEASE_PART * (row->release + row->bias);
         row->arm->relax(&local, f->p);
@@ -92,7 +92,7 @@ static void hertzian(struct framed *f, struct hard_row *row, double dt) {
         a[1] = f->w[5];
         a[2] = f->w[8] + soft;
         for (int d = 1; d < 3; d++)
-            c[d - 1] = f->free[d] + f->w[3 * d] * f->p[0] - soft * hard_dot(row->hold, f->axis[d]);
+            c[d - 1] = f->free[d] + f->w[3 * d] * f->p[0] - soft * vector_dot(row->hold, f->axis[d]);
         hard_relax_disc(a, c, row->friction * f->p[0], f->p + 1);
         if (fabs(f->p[0] - last[0]) + fabs(f->p[1] - last[1]) + fabs(f->p[2] - last[2]) <= 1e-14 * f->p[0])
             break;
@@ -118,7 +118,7 @@ void hard_general_wish(struct hard_row *row, double dt, const struct hard_body *
 static double gain(const struct framed *f) {
     double sum = 0.0;
     for (int d = 0; d < 3; d++)
-        sum += f->p[d] * (f->free[d] + 0.5 * hard_dot(f->w + 3 * d, f->p));
+        sum += f->p[d] * (f->free[d] + 0.5 * vector_dot(f->w + 3 * d, f->p));
     return sum;
 }
 

@@ -40,7 +40,7 @@ static bool file_write(const struct physics_context *context, const struct hard_
         .shift = local->shift,
         .id = local->id,
         .dt = clock->dt,
-        .gravity = sqrt(hard_dot(context->scene->gravity, context->scene->gravity)),
+        .gravity = sqrt(vector_dot(context->scene->gravity, context->scene->gravity)),
         .described = described};
     return contact_problem_write(hard->directory, clock->step, &problem, error);
 }

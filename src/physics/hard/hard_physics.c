@@ -179,7 +179,7 @@ static bool has_price(const struct hard *hard) {
 static struct price price_of(const struct physics_context *context) {
     const struct hard *hard = context->self;
     double kappa = hard->solver.terms.kappa, dt = context->clock->dt;
-    double g = sqrt(hard_dot(context->scene->gravity, context->scene->gravity));
+    double g = sqrt(vector_dot(context->scene->gravity, context->scene->gravity));
     return (struct price){.news = sqrt(kappa) * 2.0 * hard->smallest / dt,
                           .overlap =
                               (1.0 + hard->heavy / hard->light) * g * dt * dt / (kappa * hard->smallest)};
@@ -212,7 +212,7 @@ static void solve(const struct physics_context *context) {
     if (hard->solver.terms.kappa > 0.0)
         hard->solver.terms.kappa = kappa_now(hard, context->clock->dt);
     hard_solver_step(&hard->solver, &input, &hard->last);
-    count(context, sqrt(hard_dot(input.gravity, input.gravity)) * input.dt);
+    count(context, sqrt(vector_dot(input.gravity, input.gravity)) * input.dt);
     *sums = (struct force_sums){.taken = hard->last.lost - (hard->last.stored[0] - stored),
                                 .elastic_normal = hard->last.stored[0],
                                 .elastic_tangential = hard->last.stored[1],
@@ -251,7 +251,7 @@ static void sizes_find(const struct physics_context *context, struct hard *hard)
 static double limit(const struct physics_context *context, double most) {
     struct hard *hard = context->self;
     double speed = grains_of(context->set)->stable.speed_most;
-    double g = sqrt(hard_dot(context->scene->gravity, context->scene->gravity));
+    double g = sqrt(vector_dot(context->scene->gravity, context->scene->gravity));
     if (isinf(hard->smallest))
         sizes_find(context, hard);
     if (speed > 0.0)

@@ -12,7 +12,7 @@ enum { LOOK_EVERY = 5, REBOUND_SWEEPS = 8 };
 static const double impact_speed = 8.0;
 
 static double size_of(const double a[3]) {
-    return sqrt(hard_dot(a, a));
+    return sqrt(vector_dot(a, a));
 }
 
 double hard_solver_wants(const struct hard_input *input, double fastest) {
@@ -24,7 +24,7 @@ double hard_solver_fastest(const struct hard_solver *solver, const struct partic
     double square = 0.0;
 #pragma omp parallel for schedule(static) reduction(max : square)
     for (size_t k = 0; k < particles->owned; k++)
-        square = fmax(square, hard_dot(particles->state[k].v, particles->state[k].v));
+        square = fmax(square, vector_dot(particles->state[k].v, particles->state[k].v));
     comm_max(solver->comm, &square, 1);
     return sqrt(square);
 }
@@ -70,8 +70,8 @@ static void bodies_make(struct hard_solver *solver, const struct hard_input *inp
             double a[3];
             acceleration_of(input, k, a);
             problem->body[k] = body_free(input, k);
-            square = fmax(square, hard_dot(problem->body[k].v, problem->body[k].v));
-            pull = fmax(pull, hard_dot(a, a));
+            square = fmax(square, vector_dot(problem->body[k].v, problem->body[k].v));
+            pull = fmax(pull, vector_dot(a, a));
         } else if (input->omega) {
             problem->body[k].swing =
                 2.5 * p->state[k].inverse_mass / (p->state[k].radius * p->state[k].radius);
@@ -218,7 +218,7 @@ static void pull_of(const struct hard_row *row, double duration, double branch[3
 static double approach_of(const struct hard_problem *problem, const struct hard_row *row) {
     double u[3];
     hard_velocity(row, &problem->body[row->body[0]], &problem->body[row->body[1]], u);
-    return -hard_dot(u, row->normal);
+    return -vector_dot(u, row->normal);
 }
 
 /* Notes a row if its overlap is the largest so far. */

@@ -56,11 +56,11 @@ static void frame_make(struct record *record) {
     double axis[3] = {0.0, 0.0, 0.0}, size;
     axis[fabs(n[0]) < 0.6 ? 0 : fabs(n[1]) < 0.6 ? 1 : 2] = 1.0;
     memcpy(record->frame[0], n, sizeof record->frame[0]);
-    hard_cross(n, axis, record->frame[1]);
-    size = sqrt(hard_dot(record->frame[1], record->frame[1]));
+    vector_cross(n, axis, record->frame[1]);
+    size = sqrt(vector_dot(record->frame[1], record->frame[1]));
     for (int d = 0; d < 3; d++)
         record->frame[1][d] /= size;
-    hard_cross(n, record->frame[1], record->frame[2]);
+    vector_cross(n, record->frame[1], record->frame[2]);
 }
 
 /* This rank's rows, gathered on rank 0 in the order of ids. Collective. */
@@ -123,7 +123,7 @@ static void velocity_of(const struct record *record, const struct hard_body *a, 
     double space[3];
     hard_velocity(&record->row, a, b, space);
     for (int k = 0; k < 3; k++)
-        u[k] = hard_dot(space, record->frame[k]);
+        u[k] = vector_dot(space, record->frame[k]);
 }
 
 /* The contacts that share a body with contact c, increasing and each once. Returns how many. */
@@ -232,9 +232,9 @@ static void vectors_make(struct hard_form *local, const struct net *net, double 
         memcpy(&local->id[2 * c], record->id, sizeof record->id);
         for (size_t k = 0; k < 3; k++) {
             size_t at = 3 * c + k;
-            local->r[at] = k == 0 ? record->row.p : hard_dot(record->row.q, record->frame[k]);
+            local->r[at] = k == 0 ? record->row.p : vector_dot(record->row.q, record->frame[k]);
             local->soft[at] = soft[k > 0];
-            local->shift[at] = k == 0 ? bias : -soft[1] * hard_dot(record->row.hold, record->frame[k]);
+            local->shift[at] = k == 0 ? bias : -soft[1] * vector_dot(record->row.hold, record->frame[k]);
             local->q[at] = before[k] + local->shift[at];
             local->u[at] = after[k] + local->shift[at] + local->soft[at] * local->r[at];
         }

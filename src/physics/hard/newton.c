@@ -64,7 +64,7 @@ static double root_of(const struct hard_body *body, int d) {
 /* Adds an impulse at a contact to the sums of its bodies. */
 static void scatter(double (*sum)[SIX], const struct hard_row *row, const double impulse[3]) {
     double turn[3], *a = sum[row->body[0]], *b = sum[row->body[1]];
-    hard_cross(row->normal, impulse, turn);
+    vector_cross(row->normal, impulse, turn);
     for (int d = 0; d < 3; d++) {
         a[d] -= impulse[d];
         b[d] += impulse[d];
@@ -79,7 +79,7 @@ static void velocity(const double (*way)[SIX], const struct hard_row *row, doubl
     double turn[3], rolled[3];
     for (int d = 0; d < 3; d++)
         turn[d] = row->lever[0] * a[3 + d] + row->lever[1] * b[3 + d];
-    hard_cross(turn, row->normal, rolled);
+    vector_cross(turn, row->normal, rolled);
     for (int d = 0; d < 3; d++)
         u[d] = b[d] - a[d] - rolled[d];
 }
@@ -209,7 +209,7 @@ static void go_all(void *context, size_t row, size_t end) {
         hard_newton_answer(contact, &newton->row[r], du, back);
         for (int d = 0; d < 3; d++)
             contact->q[d] = newton->row[r].lead[d] - back[d];
-        contact->p = hard_dot(contact->q, contact->normal);
+        contact->p = vector_dot(contact->q, contact->normal);
         for (int d = 0; d < 3; d++)
             contact->q[d] -= contact->p * contact->normal[d];
     }

@@ -62,7 +62,7 @@ static inline double hard_newton_spring(const struct hard_row *row, double slide
 static inline void hard_newton_at(const struct hard_row *row, struct hard_newton_row *newton, double dt,
                                   double slide, const double u[3], double *p, double q[3]) {
     const double *hold;
-    double soft = hard_newton_spring(row, slide, &hold), along = hard_dot(u, row->normal), square = 0.0;
+    double soft = hard_newton_spring(row, slide, &hold), along = vector_dot(u, row->normal), square = 0.0;
     *p = hard_newton_push(row, dt, along, &newton->push);
     double bound = row->friction * *p;
     newton->grip = newton->slip = newton->couple = 0.0;
@@ -90,9 +90,9 @@ static inline void hard_newton_at(const struct hard_row *row, struct hard_newton
 /* The derivative times a change of velocity. */
 static inline void hard_newton_answer(const struct hard_row *row, const struct hard_newton_row *newton,
                                       const double du[3], double out[3]) {
-    double n = (newton->push - newton->grip) * hard_dot(row->normal, du);
-    double t = newton->slip * hard_dot(newton->along, du);
-    t -= newton->couple * hard_dot(row->normal, du);
+    double n = (newton->push - newton->grip) * vector_dot(row->normal, du);
+    double t = newton->slip * vector_dot(newton->along, du);
+    t -= newton->couple * vector_dot(row->normal, du);
     for (int d = 0; d < 3; d++)
         out[d] = n * row->normal[d] + newton->grip * du[d] - t * newton->along[d];
 }

@@ -114,8 +114,8 @@ void hard_problem_residual(const struct hard_problem *problem, double sum[3]) {
             for (int d = 0; d < 3; d++)
                 square += (q[d] - row.q[d]) * (q[d] - row.q[d]);
             part[k][0] += square;
-            part[k][1] += row.p * row.p + hard_dot(row.q, row.q);
-            part[k][2] += p * p + hard_dot(q, q);
+            part[k][1] += row.p * row.p + vector_dot(row.q, row.q);
+            part[k][2] += p * p + vector_dot(q, q);
         }
     sum[0] = sum[1] = sum[2] = 0.0;
     for (size_t k = 0; k < problem->cuts; k++)

@@ -68,7 +68,7 @@ static inline double hard_push(const struct hard_row *row, const struct hard_bod
     if (row->arm == NULL)
         return a->lightness + b->lightness;
     hard_arm_change(row->arm, a, b, row->normal, u);
-    return hard_dot(u, row->normal);
+    return vector_dot(u, row->normal);
 }
 static inline double hard_slide(const struct hard_row *row, const struct hard_body *a,
                                 const struct hard_body *b) {
@@ -88,7 +88,7 @@ static inline void hard_velocity(const struct hard_row *row, const struct hard_b
     }
     for (int d = 0; d < 3; d++)
         turn[d] = row->lever[0] * a->w[d] + row->lever[1] * b->w[d];
-    hard_cross(turn, row->normal, rolled);
+    vector_cross(turn, row->normal, rolled);
     for (int d = 0; d < 3; d++)
         u[d] = b->v[d] - a->v[d] - rolled[d];
 }
@@ -103,7 +103,7 @@ static inline void hard_apply(const struct hard_row *row, struct hard_body *a, s
         hard_arm_apply(row->arm, a, b, impulse);
         return;
     }
-    hard_cross(row->normal, q, turn);
+    vector_cross(row->normal, q, turn);
     for (int d = 0; d < 3; d++) {
         double impulse = p * row->normal[d] + q[d];
         a->v[d] -= a->lightness * impulse;
@@ -119,10 +119,10 @@ static inline void hard_impulse(const struct hard_row *row, int e, double impuls
     for (int d = 0; d < 3; d++)
         impulse[d] = sign * (row->p * row->normal[d] + row->q[d]);
     if (row->arm) {
-        hard_cross(row->arm->lever[e], impulse, impulse + 3);
+        vector_cross(row->arm->lever[e], impulse, impulse + 3);
         return;
     }
-    hard_cross(row->normal, row->q, turn);
+    vector_cross(row->normal, row->q, turn);
     for (int d = 0; d < 3; d++)
         impulse[3 + d] = -row->lever[e] * turn[d];
 }
@@ -158,7 +158,7 @@ static inline void hard_wish(struct hard_row *row, double dt, const struct hard_
     }
     double u[3], push = hard_push(row, a, b), soft_t = row->soft_t;
     hard_velocity(row, a, b, u);
-    double u_n = hard_dot(u, row->normal), free = u_n - push * row->p;
+    double u_n = vector_dot(u, row->normal), free = u_n - push * row->p;
     q[0] = q[1] = q[2] = 0.0;
     *p = 0.0;
     if (!(push > 0.0))
@@ -218,7 +218,7 @@ static inline void hard_stored(const struct hard_row *row, double dt, double dur
     } else {
         stored[0] = share * row->soft_n * row->p * row->p;
     }
-    stored[1] = share * soft_t * hard_dot(row->q, row->q);
+    stored[1] = share * soft_t * vector_dot(row->q, row->q);
 }
 
 /* True if the row takes part in the pass of restitution. */
@@ -238,7 +238,7 @@ static inline void hard_rebound(struct hard_row *row, struct hard_body *a, struc
         return;
     }
     hard_velocity(row, a, b, u);
-    double u_n = hard_dot(u, row->normal);
+    double u_n = vector_dot(u, row->normal);
     double p = fmax(0.0, row->p + (row->restitution * row->approach - u_n) / push);
     for (int d = 0; d < 3; d++) {
         q[d] = row->friction > 0.0 ? row->q[d] - (u[d] - u_n * row->normal[d]) / slide : 0.0;

@@ -221,7 +221,7 @@ static void test_damper(void **state) {
 }
 
 static double energy(const struct hard_body *b) {
-    return 0.5 * hard_dot(b->v, b->v) / b->lightness + 0.5 * hard_dot(b->w, b->w) / b->swing;
+    return 0.5 * vector_dot(b->v, b->v) / b->lightness + 0.5 * vector_dot(b->w, b->w) / b->swing;
 }
 
 /* 400 oblique impacts: restitution of the normal velocity, Coulomb's limit of the tangential impulse, no gain of energy,
@@ -259,7 +259,7 @@ static void test_impacts(void **state) {
                       problem.body[1].v[0] / problem.body[1].lightness;
         assert_true(fabs(u[2] - row->restitution * row->approach) < 1e-13);
         assert_true(fabs(momentum[1] - momentum[0]) < 1e-13);
-        double rub = sqrt(hard_dot(row->q, row->q)), slip = hypot(u[0], u[1]);
+        double rub = sqrt(vector_dot(row->q, row->q)), slip = hypot(u[0], u[1]);
         assert_true(slip < 1e-12 || fabs(rub / (row->friction * row->p) - 1.0) < 1e-12);
         assert_true(rub <= row->friction * row->p * (1.0 + 1e-12));
         assert_true(energy(&problem.body[0]) + energy(&problem.body[1]) <= before * (1.0 + 1e-13));

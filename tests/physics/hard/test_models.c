@@ -141,7 +141,7 @@ static void rod_make(struct rod *rod, double angle, double friction) {
 
 static double energy(const struct rod *rod) {
     const struct hard_body *b = &rod->body[1];
-    return 0.5 * hard_dot(b->v, b->v) / b->lightness + 0.5 * hard_dot(b->w, b->w) / rod->turn[0];
+    return 0.5 * vector_dot(b->v, b->v) / b->lightness + 0.5 * vector_dot(b->w, b->w) / rod->turn[0];
 }
 
 /* Without friction the impulse is u / (1/m + x^2/I), with enough of it the end comes to rest; impacts with any friction take energy. */
@@ -266,7 +266,7 @@ static void test_poisson(void **state) {
                                                        -sin(angle) + between(&random, -0.5, 0.5), 0.0},
                                                  .lightness = 1.0 / mass,
                                                  .swing = 2.5 / mass};
-            before += 0.5 * mass * hard_dot(problem.body[b].v, problem.body[b].v);
+            before += 0.5 * mass * vector_dot(problem.body[b].v, problem.body[b].v);
             momentum[0] += mass * problem.body[b].v[0];
         }
         for (uint32_t b = 0; b < RING; b++) {
@@ -286,8 +286,8 @@ static void test_poisson(void **state) {
             hard_problem_sweep(&problem);
         for (int b = 0; b < RING; b++) {
             const struct hard_body *body = &problem.body[b];
-            after += 0.5 * hard_dot(body->v, body->v) / body->lightness +
-                     0.5 * hard_dot(body->w, body->w) / body->swing;
+            after += 0.5 * vector_dot(body->v, body->v) / body->lightness +
+                     0.5 * vector_dot(body->w, body->w) / body->swing;
             momentum[1] += body->v[0] / body->lightness;
         }
         assert_true(after <= before * (1.0 + 1e-9));

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* Tries all axes that may part two solids. Read deep.h first. */
 #include "physics/bodies/shapes/deep.h"
+#include "base/vector.h"
 #include <math.h>
 #include <string.h>
 
@@ -13,21 +14,17 @@ struct search {
     double least, normal[3];
 };
 
-static double dot(const double a[3], const double b[3]) {
-    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
 /* How far a solid reaches along an axis. */
 static double reach(const struct posed *posed, const double axis[3], double sign) {
     double most = -INFINITY;
     for (int k = 0; k < posed->core->corners; k++)
-        most = fmax(most, sign * dot(posed->corner[k], axis));
+        most = fmax(most, sign * vector_dot(posed->corner[k], axis));
     return most;
 }
 
 /* Moving B along the axis. */
 static void axis_try(struct search *search, const double axis[3]) {
-    double overlap = reach(search->a, axis, 1) + reach(search->b, axis, -1) - dot(search->apart, axis);
+    double overlap = reach(search->a, axis, 1) + reach(search->b, axis, -1) - vector_dot(search->apart, axis);
     if (overlap < search->least) {
         search->least = overlap;
         memcpy(search->normal, axis, sizeof search->normal);
@@ -60,8 +57,8 @@ static void edges_try(struct search *search) {
                 int e = (d + 1) % 3, f = (d + 2) % 3;
                 axis[d] = u[e] * v[f] - u[f] * v[e];
             }
-            double square = dot(axis, axis);
-            if (square <= parallel * parallel * dot(u, u) * dot(v, v))
+            double square = vector_dot(axis, axis);
+            if (square <= parallel * parallel * vector_dot(u, u) * vector_dot(v, v))
                 continue;
             for (int sign = -1; sign <= 1; sign += 2) {
                 double unit[3];

@@ -1,12 +1,9 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* Adds up the features of a contact. Read touch.h first. */
 #include "physics/bodies/shapes/feature.h"
+#include "base/vector.h"
 #include <math.h>
 #include <string.h>
-
-static double dot(const double a[3], const double b[3]) {
-    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
 
 static void cross(const double a[3], const double b[3], double c[3]) {
     for (int d = 0; d < 3; d++) {
@@ -33,7 +30,8 @@ static double clamp(double x) {
 
 /* The places of the nearest points along two segments (Ericson, Real-Time Collision Detection (2005), section 5.1.9). */
 static void segments_nearest(const double u[3], const double v[3], const double w[3], double *s, double *t) {
-    double uu = dot(u, u), uv = dot(u, v), vv = dot(v, v), uw = dot(u, w), vw = dot(v, w);
+    double uu = vector_dot(u, u), uv = vector_dot(u, v), vv = vector_dot(v, v), uw = vector_dot(u, w),
+           vw = vector_dot(v, w);
     double square = uu * vv - uv * uv;
     *s = square > 1e-14 * uu * vv ? clamp((uw * vv - vw * uv) / square) : 0.5;
     *t = (*s * uv - vw) / vv;
@@ -63,7 +61,8 @@ void feature_edges(struct features *features, const struct posed *posed, double 
         on_a[d] = end[0][d] + s * u[d];
         way[d] = w[d] + t * v[d] - s * u[d];
     }
-    double square = dot(way, way), lengths = sqrt(dot(u, u) * dot(v, v)), cosine = dot(u, v) / lengths, slope;
+    double square = vector_dot(way, way), lengths = sqrt(vector_dot(u, u) * vector_dot(v, v)),
+           cosine = vector_dot(u, v) / lengths, slope;
     if (!(square > 0 && square < roundings * roundings))
         return;
     double distance = sqrt(square), factor = parallel_factor(1 - cosine * cosine, &slope);
@@ -88,7 +87,7 @@ static void point_give(struct touch *touch, const struct feature *feature, doubl
         double off[3];
         for (int d = 0; d < 3; d++)
             off[d] = feature->at[d] - point->at[d];
-        if (dot(off, off) < merge * merge) {
+        if (vector_dot(off, off) < merge * merge) {
             point->share += share;
             return;
         }

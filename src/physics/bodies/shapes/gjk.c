@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* The walk of a simplex to the origin. Read gjk.h first. */
 #include "physics/bodies/shapes/gjk.h"
+#include "base/vector.h"
 #include <math.h>
 #include <string.h>
 
@@ -25,10 +26,6 @@ struct walk {
     double weight[4];
 };
 
-static double dot(const double a[3], const double b[3]) {
-    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
 static void minus(const double a[3], const double b[3], double c[3]) {
     for (int d = 0; d < 3; d++)
         c[d] = a[d] - b[d];
@@ -47,7 +44,7 @@ static int farthest(const struct gjk_set *set, const double direction[3], double
     int best = 0;
     double most = -INFINITY;
     for (int k = 0; k < set->corners; k++) {
-        double along = sign * dot(set->corner[k], direction);
+        double along = sign * vector_dot(set->corner[k], direction);
         if (along > most) {
             most = along;
             best = k;
@@ -75,7 +72,7 @@ static void place_of(const struct walk *walk, double x[3]) {
 static double square_of(const struct walk *walk) {
     double x[3];
     place_of(walk, x);
-    return dot(x, x);
+    return vector_dot(x, x);
 }
 
 /* The part of a segment nearest to the origin. */
@@ -83,7 +80,7 @@ static struct walk of_segment(const struct walk *segment) {
     const double *a = segment->point[0].x, *b = segment->point[1].x;
     double along[3];
     minus(b, a, along);
-    double length = dot(along, along), t = length > 0 ? -dot(a, along) / length : 0;
+    double length = vector_dot(along, along), t = length > 0 ? -vector_dot(a, along) / length : 0;
     struct walk walk = *segment;
     if (t <= 0 || t >= 1) {
         walk = some(segment, 1, (int[3]){t <= 0 ? 0 : 1});
@@ -105,7 +102,8 @@ static struct walk of_triangle(const struct walk *triangle) {
     double u[3], v[3];
     minus(b, a, u);
     minus(c, a, v);
-    double uu = dot(u, u), uv = dot(u, v), vv = dot(v, v), ua = -dot(u, a), va = -dot(v, a);
+    double uu = vector_dot(u, u), uv = vector_dot(u, v), vv = vector_dot(v, v), ua = -vector_dot(u, a),
+           va = -vector_dot(v, a);
     double area = uu * vv - uv * uv;
     if (area > 1e-20 * uu * vv) {
         double s = (vv * ua - uv * va) / area, t = (uu * va - uv * ua) / area;
@@ -140,8 +138,8 @@ static struct walk of_tetrahedron(const struct walk *four) {
         normal[0] = u[1] * v[2] - u[2] * v[1];
         normal[1] = u[2] * v[0] - u[0] * v[2];
         normal[2] = u[0] * v[1] - u[1] * v[0];
-        double inner = dot(normal, w), origin = -dot(normal, a);
-        bool flat = inner * inner <= 1e-24 * dot(normal, normal) * dot(w, w);
+        double inner = vector_dot(normal, w), origin = -vector_dot(normal, a);
+        bool flat = inner * inner <= 1e-24 * vector_dot(normal, normal) * vector_dot(w, w);
         if (!flat && inner * origin >= 0)
             continue;
         struct walk face = some(four, 3, side[f]);
@@ -184,7 +182,7 @@ static void finish(const struct walk *walk, const struct gjk_set *a, const struc
                    const double apart[3], struct gjk_nearest *nearest) {
     double x[3];
     place_of(walk, x);
-    nearest->distance = sqrt(dot(x, x));
+    nearest->distance = sqrt(vector_dot(x, x));
     for (int d = 0; d < 3; d++) {
         nearest->normal[d] = x[d] / nearest->distance;
         nearest->on_a[d] = nearest->on_b[d] = 0;
@@ -198,7 +196,7 @@ static void finish(const struct walk *walk, const struct gjk_set *a, const struc
 static double size_of(const struct gjk_set *set) {
     double most = 0;
     for (int k = 0; k < set->corners; k++)
-        most = fmax(most, dot(set->corner[k], set->corner[k]));
+        most = fmax(most, vector_dot(set->corner[k], set->corner[k]));
     return sqrt(most);
 }
 
@@ -215,7 +213,7 @@ bool gjk_distance(const struct gjk_set *a, const struct gjk_set *b, const double
         struct walk next = walk;
         struct point *point = &next.point[next.count++];
         point_set(a, b, apart, i, j, point);
-        if (has(&walk, i, j) || square - dot(x, point->x) <= least_gain * square)
+        if (has(&walk, i, j) || square - vector_dot(x, point->x) <= least_gain * square)
             break;
         next = nearest_part(&next);
         double now = next.count == 4 ? 0 : square_of(&next);

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* From corners to faces and edges. Read solid.h first. */
 #include "physics/bodies/shapes/solid.h"
+#include "base/vector.h"
 #include "physics/bodies/shapes/convex.h"
 #include "physics/bodies/rotor.h"
 #include "base/memory.h"
@@ -14,16 +15,6 @@ static const double flat_part = 1e-6;
 static const double thin_part = 1e-5;
 
 static const char what[] = "a solid";
-
-static double dot(const double a[3], const double b[3]) {
-    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
-static void cross(const double a[3], const double b[3], double c[3]) {
-    c[0] = a[1] * b[2] - a[2] * b[1];
-    c[1] = a[2] * b[0] - a[0] * b[2];
-    c[2] = a[0] * b[1] - a[1] * b[0];
-}
 
 static void minus(const double a[3], const double b[3], double c[3]) {
     for (int d = 0; d < 3; d++)
@@ -73,11 +64,11 @@ static void ring_sort(const struct solid *solid, const struct solid_face *face, 
         for (int d = 0; d < 3; d++)
             middle[d] += solid->corner[ring[k]][d] / face->sides;
     minus(solid->corner[ring[0]], middle, axis);
-    cross(face->normal, axis, other);
+    vector_cross(face->normal, axis, other);
     for (int k = 0; k < face->sides; k++) {
         double from[3];
         minus(solid->corner[ring[k]], middle, from);
-        angle[k] = k == 0 ? -4 : atan2(dot(from, other), dot(from, axis));
+        angle[k] = k == 0 ? -4 : atan2(vector_dot(from, other), vector_dot(from, axis));
         angle[k] = k > 0 && angle[k] < 0 ? angle[k] + 2 * M_PI : angle[k];
     }
     for (int k = 1; k < face->sides; k++)
@@ -97,16 +88,16 @@ static bool face_add(struct solid *solid, const int three[3], double size) {
     double along[3], across[3];
     minus(solid->corner[three[1]], solid->corner[three[0]], along);
     minus(solid->corner[three[2]], solid->corner[three[0]], across);
-    cross(along, across, face.normal);
-    double area = sqrt(dot(face.normal, face.normal));
+    vector_cross(along, across, face.normal);
+    double area = sqrt(vector_dot(face.normal, face.normal));
     if (!(area > thin_part * size * size))
         return true;
     int above = 0, below = 0, on[SOLID_CORNERS_MAX];
     for (int d = 0; d < 3; d++)
         face.normal[d] /= area;
-    face.offset = dot(face.normal, solid->corner[three[0]]);
+    face.offset = vector_dot(face.normal, solid->corner[three[0]]);
     for (int k = 0; k < solid->corners; k++) {
-        double height = dot(face.normal, solid->corner[k]) - face.offset;
+        double height = vector_dot(face.normal, solid->corner[k]) - face.offset;
         if (fabs(height) <= flat_part * size)
             on[face.sides++] = k;
         else if (height > 0)
@@ -206,7 +197,7 @@ static double thickness_of(const struct solid *solid) {
     for (int f = 0; f < solid->faces; f++) {
         double low = INFINITY;
         for (int k = 0; k < solid->corners; k++)
-            low = fmin(low, dot(solid->face[f].normal, solid->corner[k]));
+            low = fmin(low, vector_dot(solid->face[f].normal, solid->corner[k]));
         least = fmin(least, solid->face[f].offset - low);
     }
     return least;
@@ -244,12 +235,12 @@ bool solid_make(struct solid *solid, const double (*point)[3], size_t points, st
 /* The place where three planes, moved inwards, meet; false: nowhere in particular. */
 static bool planes_meet(const struct solid_face *const face[3], double depth, double place[3]) {
     double across[3], other[3][3];
-    cross(face[1]->normal, face[2]->normal, across);
-    double volume = dot(face[0]->normal, across);
+    vector_cross(face[1]->normal, face[2]->normal, across);
+    double volume = vector_dot(face[0]->normal, across);
     if (!(fabs(volume) > 1e-9))
         return false;
     for (int k = 0; k < 3; k++)
-        cross(face[(k + 1) % 3]->normal, face[(k + 2) % 3]->normal, other[k]);
+        vector_cross(face[(k + 1) % 3]->normal, face[(k + 2) % 3]->normal, other[k]);
     for (int d = 0; d < 3; d++) {
         place[d] = 0;
         for (int k = 0; k < 3; k++)
@@ -306,7 +297,7 @@ void solid_move(struct solid *solid, const double centre[3], const double turn[9
     }
     for (int f = 0; f < solid->faces; f++) {
         struct solid_face *face = &solid->face[f];
-        face->offset -= dot(face->normal, centre);
+        face->offset -= vector_dot(face->normal, centre);
         rotor_turn_back(turn, face->normal, face->normal);
     }
 }
@@ -314,13 +305,13 @@ void solid_move(struct solid *solid, const double centre[3], const double turn[9
 double solid_depth(const struct solid *solid, const double place[3]) {
     double least = INFINITY;
     for (int f = 0; f < solid->faces; f++)
-        least = fmin(least, solid->face[f].offset - dot(solid->face[f].normal, place));
+        least = fmin(least, solid->face[f].offset - vector_dot(solid->face[f].normal, place));
     return least;
 }
 
 double solid_extent(const struct solid *solid) {
     double most = 0;
     for (int k = 0; k < solid->corners; k++)
-        most = fmax(most, sqrt(dot(solid->corner[k], solid->corner[k])));
+        most = fmax(most, sqrt(vector_dot(solid->corner[k], solid->corner[k])));
     return most;
 }

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* Finds the features of two solids that touch. Read touch.h first. */
 #include "physics/bodies/shapes/touch.h"
+#include "base/vector.h"
 #include "physics/bodies/shapes/deep.h"
 #include "physics/bodies/shapes/feature.h"
 #include <math.h>
@@ -16,21 +17,17 @@ struct pair {
     double roundings, slack, top_a, top_b; /* tops along the normal, of B against it */
 };
 
-static double dot(const double a[3], const double b[3]) {
-    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
 static double top_of(const struct posed *posed, const double normal[3], double sign) {
     double most = -INFINITY;
     for (int k = 0; k < posed->core->corners; k++)
-        most = fmax(most, sign * dot(posed->corner[k], normal));
+        most = fmax(most, sign * vector_dot(posed->corner[k], normal));
     return most;
 }
 
 /* True if a corner may be nearer to the other core than the roundings: no place of that core is nearer than its plane. */
 static bool is_near(const struct pair *pair, int side, int corner) {
     const struct posed *posed = side ? pair->b : pair->a;
-    double height = dot(posed->corner[corner], pair->normal);
+    double height = vector_dot(posed->corner[corner], pair->normal);
     return (side ? pair->top_b + height : pair->top_a - height) < pair->slack;
 }
 
@@ -132,7 +129,7 @@ bool touch_plane(const struct posed *a, const double inward[3], double height, s
     for (int d = 0; d < 3; d++)
         touch->normal[d] = -inward[d];
     for (int k = 0; k < a->core->corners; k++)
-        feature_add(&features, a, a->rounding, height + dot(inward, a->corner[k]), a->corner[k],
+        feature_add(&features, a, a->rounding, height + vector_dot(inward, a->corner[k]), a->corner[k],
                     touch->normal, touch_key(TOUCH_CORNER_A, k, 0));
     if (features.count > 0)
         feature_sum(&features, apart, merge_part * a->rounding, touch);

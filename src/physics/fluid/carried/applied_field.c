@@ -1,16 +1,13 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* An applied field around what insulates. Read applied_field.h first. */
 #include "physics/fluid/carried/applied_field.h"
+#include "base/vector.h"
 #include "base/memory.h"
 #include "physics/fluid/schemes/pressure.h"
 #include <math.h>
 #include <string.h>
 
 #define TOLERANCE 1e-9
-
-static double dot(const double a[3], const double b[3]) {
-    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
 
 /* sum[row] = sum of w_ij k_ij E_0 . (x_j - x_i) over what is no wall. */
 static void side_make(const struct applied *applied, const double far[3], double *sum) {
@@ -24,7 +21,7 @@ static void side_make(const struct applied *applied, const double far[3], double
             if (e >= walls && !weights_foot_of(weights, w++)->open)
                 continue;
             weights_apart(weights, applied->input, row, e, apart);
-            sum[row] += weights_scalar(weights, e) * applied->share[e] * dot(far, apart);
+            sum[row] += weights_scalar(weights, e) * applied->share[e] * vector_dot(far, apart);
         }
     }
 }
@@ -38,7 +35,7 @@ static double determinant(const double a[3], const double b[3], const double c[3
 static void add_wall(const struct weights *weights, size_t entry, size_t wall, const double apart[3],
                      double column[3][3]) {
     const double *normal = weights_foot_of(weights, wall)->normal, *b = weights_vector(weights, entry);
-    double across = dot(apart, normal);
+    double across = vector_dot(apart, normal);
     for (int c = 0; c < weights->dimension; c++)
         for (int d = 0; d < weights->dimension; d++)
             column[c][d] -= b[d] * (apart[c] - across * normal[c]);
@@ -62,7 +59,7 @@ static void gradient_of(const struct applied *applied, size_t row, const double 
         step = e < walls ? phi.value[pair_partner(weights->partner[e])] - own
                          : operators_pressure_step(weights, w++, phi, own);
         for (int d = 0; d < weights->dimension; d++)
-            side[d] += b[d] * (step - dot(far, apart));
+            side[d] += b[d] * (step - vector_dot(far, apart));
     }
     double all = determinant(column[0], column[1], column[2]);
     field[0] = -determinant(side, column[1], column[2]) / all;
