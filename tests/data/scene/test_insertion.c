@@ -33,6 +33,12 @@ static struct insertion prepared(const struct insertion_options *options) {
     return insertion;
 }
 
+/* A sphere's mass. */
+static double mass(const void *context, const struct insertion_candidate *candidate, int64_t id) {
+    (void)context, (void)id;
+    return particles_sphere_mass(candidate->radius, candidate->density);
+}
+
 static void due(void **state) {
     (void)state;
     struct insertion_options options = feed();
@@ -51,6 +57,7 @@ static void due(void **state) {
     options.mass_rate = 2;
     options.density = 5;
     insertion = prepared(&options);
+    insertion_weigh(&insertion, mass, NULL);
     double mean_cube = (pow(0.3, 4) - pow(0.1, 4)) / 4 / 0.2;
     assert_true(fabs(insertion.mean_mass / (4 * M_PI / 3 * mean_cube * 5) - 1) < 0.01);
     assert_int_equal(insertion_due(&insertion, 4), (uint64_t)floor(4 / insertion.mean_mass));
@@ -68,7 +75,7 @@ static size_t insert(const struct insertion *insertion, struct insertion_state *
             blocked[k] = blocked[k] || (int64_t)candidate[k].number == blocked_number;
         left = insertion_settle(insertion, candidate, blocked, n);
     }
-    return insertion_end(insertion, state, candidate, n);
+    return insertion_end(state, candidate, n);
 }
 
 static void places_apart(void **state) {
