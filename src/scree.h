@@ -151,7 +151,8 @@ struct scree_particle {
 bool scree_add(struct scree_simulation *simulation, const struct scree_particle *particles, size_t count,
                struct scree_error *error);
 
-/* Deletes the particles with these ids in the next step; unknown ids do nothing. Collective. */
+/* Deletes the particles with these ids in the next step, those of rigid bodies with the whole body; unknown ids do nothing.
+ * Collective. */
 void scree_delete(struct scree_simulation *simulation, const int64_t *ids, size_t count);
 
 /* Writes DIRECTORY/checkpoint-STEP.h5, from which the program, too, goes on. The simulation searches its pairs again

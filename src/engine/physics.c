@@ -141,6 +141,49 @@ bool physics_fill(const struct physics_set *set, const struct physics_share *sha
     return true;
 }
 
+/* The part that a physics makes. */
+static bool part_made(const struct physics_set *set, const struct physics_grain *grain, int number,
+                      struct physics_part *part) {
+    PHYSICS_EACH (active, set, maker)
+        if (active->row->maker->part && active->row->maker->part(&active->context, grain, number, part))
+            return true;
+    return false;
+}
+
+bool physics_part(const struct physics_set *set, const struct physics_grain *grain, int number,
+                  struct physics_part *part) {
+    struct physics_part first;
+    const struct physics_grain any = {grain->material, grain->radius, grain->density, grain->id, -1};
+    if (part_made(set, grain, number, part))
+        return true;
+    if (number > 0 || grain->variant > 0 || part_made(set, &any, 0, &first))
+        return false;
+    *part = (struct physics_part){grain->radius, particles_sphere_mass(grain->radius, grain->density)};
+    return true;
+}
+
+int64_t physics_parts(const struct physics_set *set, const struct physics_grain *grain) {
+    struct physics_part part;
+    int count = 0;
+    while (part_made(set, grain, count, &part))
+        count++;
+    return count;
+}
+
+double physics_mass(const struct physics_set *set, const struct physics_grain *grain) {
+    struct physics_part part;
+    double mass = 0;
+    for (int k = 0; physics_part(set, grain, k, &part); k++)
+        mass += part.mass;
+    return mass;
+}
+
+void physics_join(const struct physics_set *set, size_t k, int64_t first_id) {
+    PHYSICS_EACH (active, set, maker)
+        if (active->row->maker->join)
+            active->row->maker->join(&active->context, k, first_id);
+}
+
 void physics_lists(struct physics_set *set, const struct interactions *interactions) {
     for (int k = 0; k < set->count; k++)
         for (int i = 0; set->active[k].row->search && i < set->active[k].row->search->interactions; i++)

@@ -131,6 +131,19 @@ struct physics_share {
     int64_t first_id; /* ids from this one on are free */
 };
 
+/* A grain that is to enter. */
+struct physics_grain {
+    int material;
+    double radius, density; /* mass over volume of its sphere */
+    int64_t id;             /* chooses between the variants of what it becomes ... */
+    int variant;            /* ... or this number does; -1: the id */
+};
+
+/* A sphere of which a grain is made. */
+struct physics_part {
+    double radius, mass;
+};
+
 /* Facet of a physics with interactions: which particles meet, and up to which distance. */
 struct physics_search {
     int interactions;
@@ -160,6 +173,13 @@ struct physics_maker {
      * ids on any number of ranks. Collective. Errors may differ between ranks. */
     bool (*fill)(const struct physics_context *context, const struct physics_share *share,
                  struct error *error);
+    /* The sphere `number` of those that a grain becomes if it enters a run; false: it has no more, or no such variant. Grains
+     * that stay as they are have none. The same on all ranks; any thread. NULL: all grains stay. */
+    bool (*part)(const struct physics_context *context, const struct physics_grain *grain, int number,
+                 struct physics_part *part);
+    /* Makes particle k of this rank, a grain that has just been appended, and its parts, which are appended with ids from
+     * `first_id` on. In a rebuild, without copies. */
+    void (*join)(const struct physics_context *context, size_t k, int64_t first_id);
 };
 
 /* Facet of a physics that remembers pairs: rows at both particles of a pair (kernel/pairs/history.h), by owned particle, of which
@@ -394,6 +414,17 @@ void physics_own(const struct physics_set *set, const void *own[PHYSICS_COUNT]);
 
 /* Adds the particles of all physics. Collective; errors may differ between ranks. */
 bool physics_fill(const struct physics_set *set, const struct physics_share *share, struct error *error);
+
+/* The sphere `number` of a grain that enters: itself, or what a physics makes of it; false: it has no more. */
+bool physics_part(const struct physics_set *set, const struct physics_grain *grain, int number,
+                  struct physics_part *part);
+
+/* The number of particles that a physics adds to a grain that enters, and the mass of what it becomes. */
+int64_t physics_parts(const struct physics_set *set, const struct physics_grain *grain);
+double physics_mass(const struct physics_set *set, const struct physics_grain *grain);
+
+/* Particle k of this rank has been appended, and becomes what a physics makes of it; ids from first_id on are free. */
+void physics_join(const struct physics_set *set, size_t k, int64_t first_id);
 
 /* Gives each physics its lists, after the interactions with their own lists are known
  * (interactions_divide). */

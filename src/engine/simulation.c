@@ -114,6 +114,7 @@ static bool simulation_fill(struct simulation *s, const char *resume, struct err
         s->search.history = mover->row->mover->history(&mover->context);
     if (!comm_agree(s->comm, error)) /* ranks may have different CPUs */
         return false;
+    sources_weigh(s);
     struct rebuild_rows rows = {0};
     crossings_prepare(s->crossings, s->scene->output.observables.planes);
     bool good = resume ? resume_read(s, resume, &rows, error) : particles_make(s, error);

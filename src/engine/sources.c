@@ -55,6 +55,21 @@ bool sources_prepare(struct simulation *s, struct error *error) {
     return true;
 }
 
+static struct physics_grain grain_of(const struct insertion_candidate *candidate, int64_t id) {
+    return (struct physics_grain){candidate->material, candidate->radius, candidate->density, id, -1};
+}
+
+static double mass_of(const void *context, const struct insertion_candidate *candidate, int64_t id) {
+    const struct physics_grain grain = grain_of(candidate, id);
+    return physics_mass(context, &grain);
+}
+
+void sources_weigh(struct simulation *s) {
+    for (int k = 0; k < s->scene->insertions; k++)
+        if (s->scene->insertion[k].mass_rate > 0)
+            insertion_weigh(&s->sources.insertion[k], mass_of, &s->physics);
+}
+
 static uint64_t insertion_missing(const struct sources *sources, const struct clock *clock, int k) {
     uint64_t due = insertion_due(&sources->insertion[k], clock->time), placed = sources->state[k].placed;
     return due > placed ? due - placed : 0;
@@ -165,42 +180,89 @@ static bool deleted_by_region(const struct scene *scene, const struct box *box, 
     return false;
 }
 
-static size_t remove_run(struct simulation *s, struct rebuild_rows *rows) {
-    struct particles *particles = s->particles;
-    bool regions = deletions_due(s->scene, &s->clock);
-    size_t marked = 0, owned = particles->owned;
-    uint8_t *remove = memory_allocate_zero(owned, 1, "particles to remove");
-    const uint8_t *kind = kinds_of(particles);
-    for (size_t k = 0; k < owned; k++) {
-        enum box_leave leave = BOX_KEEP;
-        if (kind && kind[k] != KIND_GRAIN)
-            continue;
-        int side = side_left(&s->box, particles->state[k].x, &leave);
-        if (leave == BOX_ERROR)
-            leave_error(particles, k, &s->box, side, s->clock.time, &s->error);
-        remove[k] = leave == BOX_DELETE ||
-                    (regions && deleted_by_region(s->scene, &s->box, &s->clock, particles->state[k].x)) ||
-                    is_taken(&s->sources.given, particles->id[k]);
-        marked += remove[k];
-        if (remove[k]) {
-            s->sources.deleted_mass += groups_mass(particles, k);
-            crossings_account(s, k, 1);
-        }
+/* True if particle k, which nobody carries, goes. */
+static bool goes(struct simulation *s, size_t k, bool regions) {
+    const struct particle_state *state = &s->particles->state[k];
+    enum box_leave leave = BOX_KEEP;
+    int side = side_left(&s->box, state->x, &leave);
+    if (leave == BOX_ERROR)
+        leave_error(s->particles, k, &s->box, side, s->clock.time, &s->error);
+    return leave == BOX_DELETE || (regions && deleted_by_region(s->scene, &s->box, &s->clock, state->x)) ||
+           is_taken(&s->sources.given, s->particles->id[k]);
+}
+
+/* Carried grains go with their carrier, whichever rank owns it; and a carrier goes if the calling program deletes a grain that
+ * it carries. Collective. */
+static void marks_carry(struct simulation *s, uint8_t *remove) {
+    const struct particles *p = s->particles;
+    const int64_t *carrier = carried_by(p);
+    const uint8_t *kind = kinds_of(p);
+    size_t count = 0, bytes;
+    int64_t *mine = memory_allocate(p->owned, sizeof *mine, "bodies to remove");
+    for (size_t k = 0; k < p->owned; k++)
+        if (carrier[k] >= 0 ? is_taken(&s->sources.given, p->id[k]) : kind[k] == KIND_BODY && remove[k])
+            mine[count++] = carrier[k] >= 0 ? carrier[k] : p->id[k];
+    int64_t *all = comm_share(s->comm, mine, count * sizeof *mine, &bytes);
+    count = bytes / sizeof *all;
+    qsort(all, count, sizeof *all, ids_compare);
+    for (size_t k = 0; k < p->owned; k++) {
+        int64_t id = carrier[k] >= 0 ? carrier[k] : p->id[k];
+        if (carrier[k] >= 0 || kind[k] == KIND_BODY)
+            remove[k] = count > 0 && bsearch(&id, all, count, sizeof id, ids_compare) != NULL;
     }
-    if (marked > 0) {
+    memory_free(all);
+    memory_free(mine);
+}
+
+/* What goes: particles, and of them those that nobody carries. */
+struct removed {
+    int64_t particles, alone;
+};
+
+static void removed_account(struct simulation *s, size_t k, struct removed *removed) {
+    const uint8_t *kind = kinds_of(s->particles);
+    const int64_t *carrier = carried_by(s->particles);
+    removed->particles++;
+    removed->alone += !carrier || carrier[k] < 0;
+    if (kind && kind[k] != KIND_GRAIN) /* its parts have the mass */
+        return;
+    s->sources.deleted_mass += groups_mass(s->particles, k);
+    crossings_account(s, k, 1);
+}
+
+/* Collective. */
+static struct removed remove_run(struct simulation *s, struct rebuild_rows *rows) {
+    struct particles *particles = s->particles;
+    const bool regions = deletions_due(s->scene, &s->clock);
+    const size_t owned = particles->owned;
+    const uint8_t *kind = kinds_of(particles);
+    const int64_t *carrier = carried_by(particles);
+    struct removed removed = {0, 0};
+    uint8_t *remove = memory_allocate_zero(owned, 1, "particles to remove");
+    for (size_t k = 0; k < owned; k++) {
+        bool may = !kind || kind[k] == KIND_GRAIN || kind[k] == KIND_BODY;
+        remove[k] = may && !(carrier && carrier[k] >= 0) && goes(s, k, regions);
+    }
+    if (carrier)
+        marks_carry(s, remove);
+    for (size_t k = 0; k < owned; k++)
+        if (remove[k])
+            removed_account(s, k, &removed);
+    if (removed.particles > 0) {
         struct history_rows *list[REBUILD_SETS];
         for (int k = 0, n = rebuild_rows_list(rows, list); k < n; k++)
             history_rows_remove(list[k], remove, owned);
         particles_remove(particles, remove);
     }
     memory_free(remove);
-    return marked;
+    return removed;
 }
 
-/* The owned particles that candidates of a region may touch. */
+/* The owned particles that candidates of a region may touch. A body is touched by the grains that it carries. */
 static struct placegrid *particles_near(const struct particles *particles, const struct box *box,
                                         const struct insertion *insertion,
                                         const struct insertion_candidate *candidate, size_t n) {
+    const uint8_t *kind = kinds_of(particles);
     double largest = 0, smallest = INFINITY;
     for (size_t k = 0; k < n; k++)
         largest = fmax(largest, candidate[k].radius);
@@ -208,7 +270,7 @@ static struct placegrid *particles_near(const struct particles *particles, const
 #pragma omp parallel for reduction(min : smallest)
     for (size_t k = 0; k < particles->owned; k++) {
         const struct particle_state *p = &particles->state[k];
-        near[k] = insertion_reaches(insertion, largest, p->x, p->radius);
+        near[k] = !(kind && kind[k] == KIND_BODY) && insertion_reaches(insertion, largest, p->x, p->radius);
         if (near[k])
             smallest = fmin(smallest, p->radius);
     }
@@ -240,11 +302,8 @@ static void candidates_block(const struct physics_set *set, const struct comm *c
     memory_free(all);
 }
 
-/* Appends an accepted candidate if this rank owns its position; all ranks advance the next id. */
-static void candidate_append(struct simulation *s, const struct insertion_candidate *candidate) {
-    int64_t id = s->sources.next_id++;
-    if (domain_owner(s->ranks.domain, candidate->x) != s->comm->rank)
-        return;
+/* Appends an accepted candidate to this rank. */
+static void candidate_append(struct simulation *s, const struct insertion_candidate *candidate, int64_t id) {
     struct particles *particles = s->particles;
     size_t k = particles_append(particles);
     struct particle_state *p = &particles->state[k];
@@ -267,7 +326,22 @@ static void candidate_append(struct simulation *s, const struct insertion_candid
         density[k] = candidate->density;
     if (temperature)
         temperature[k] = candidate->temperature;
-    crossings_account(s, k, -1);
+}
+
+/* An accepted candidate enters, on the rank that owns its position; all ranks advance the next id. Returns its mass. */
+static double candidate_enter(struct simulation *s, const struct insertion_candidate *candidate) {
+    const struct physics_grain grain = grain_of(candidate, s->sources.next_id);
+    s->sources.next_id += 1 + physics_parts(&s->physics, &grain);
+    if (domain_owner(s->ranks.domain, candidate->x) == s->comm->rank) {
+        size_t first = s->particles->owned;
+        candidate_append(s, candidate, grain.id);
+        physics_join(&s->physics, first, grain.id + 1);
+        const uint8_t *kind = kinds_of(s->particles);
+        for (size_t k = first; k < s->particles->owned; k++)
+            if (!kind || kind[k] == KIND_GRAIN)
+                crossings_account(s, k, -1);
+    }
+    return physics_mass(&s->physics, &grain);
 }
 
 static void insertion_run(struct simulation *s, int number) {
@@ -285,12 +359,12 @@ static void insertion_run(struct simulation *s, int number) {
         candidates_block(&s->physics, s->comm, grid, candidate, blocked, n);
         left = insertion_settle(insertion, candidate, blocked, n);
     }
-    s->sources.inserted += insertion_end(insertion, state, candidate, n);
+    s->sources.inserted += insertion_end(state, candidate, n);
     for (size_t k = 0; k < n; k++) {
         enum box_leave leave = BOX_KEEP;
         if (!candidate[k].accepted)
             continue;
-        candidate_append(s, &candidate[k]);
+        state->mass += candidate_enter(s, &candidate[k]);
         s->sources.lost[number] += side_left(&s->box, candidate[k].x, &leave) >= 0;
     }
     placegrid_destroy(&grid);
@@ -307,14 +381,15 @@ void sources_run(struct simulation *s, struct rebuild_rows *rows) {
     s->sources.last_step = s->clock.step;
     if (given->taken > 0)
         qsort(given->take, given->taken, sizeof *given->take, ids_compare);
-    int64_t removed = deletes ? (int64_t)remove_run(s, rows) : 0;
+    const struct removed removed = deletes ? remove_run(s, rows) : (struct removed){0, 0};
+    int64_t gone[2] = {removed.particles, removed.alone}, id_before = s->sources.next_id;
     size_t before = s->particles->owned;
     uint64_t inserted_before = s->sources.inserted;
     for (int k = 0; inserts && k < s->scene->insertions; k++)
         if (insertion_missing(&s->sources, &s->clock, k) > 0)
             insertion_run(s, k);
     for (size_t k = 0; k < given->added; k++)
-        candidate_append(s, &given->add[k]);
+        candidate_enter(s, &given->add[k]);
     s->sources.inserted += given->added;
     given->added = given->taken = 0;
     if (s->particles->owned > (size_t)1 << PARTICLE_INDEX_BITS)
@@ -324,9 +399,8 @@ void sources_run(struct simulation *s, struct rebuild_rows *rows) {
     for (int k = 0, n = rebuild_rows_list(rows, list); k < n; k++)
         history_rows_extend(list[k], before, s->particles->owned);
     if (!s->ranks.alone)
-        comm_sum_int(s->comm, &removed, 1);
-    s->sources.deleted += (uint64_t)removed;
-    s->total += s->sources.inserted - inserted_before;
-    s->total -= (uint64_t)removed;
-    s->classes_stale = s->classes_stale || s->sources.inserted != inserted_before || removed > 0;
+        comm_sum_int(s->comm, gone, 2);
+    s->sources.deleted += (uint64_t)gone[1];
+    s->total += (uint64_t)(s->sources.next_id - id_before) - (uint64_t)gone[0];
+    s->classes_stale = s->classes_stale || s->sources.inserted != inserted_before || gone[0] > 0;
 }

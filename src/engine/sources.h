@@ -15,8 +15,11 @@ bool sources_due(const struct sources *sources, const struct scene *scene, const
 /* Prepares the insertion regions; refuses a region that cannot hold its largest particle. */
 bool sources_prepare(struct simulation *simulation, struct error *error);
 
+/* Weighs what insertions with a mass rate insert, once the physics are there. */
+void sources_weigh(struct simulation *simulation);
+
 /* Adds a particle at the next rebuild; positions are box-relative, inside the box. Deletes the particle `id` at the
- * next rebuild. The same on all ranks. */
+ * next rebuild, with its body if it has one. The same on all ranks. */
 void sources_give(struct given *given, const struct insertion_candidate *candidate);
 void sources_take(struct given *given, int64_t id);
 void sources_free(struct sources *sources);

@@ -77,6 +77,8 @@ gravity=[0, 0]'
     [stressed-plane]='box.stress={yy: 5}'
     [insertion]='insertions=[{region: {shape: box, lower: [0, 1, 8], upper: [6, 7, 10]}, sizes: 0.3, rate: 100, velocity: [0, 0, -1], material: a}]'
     [insertion-plane]='insertions=[{region: {shape: box, lower: [0, 8], upper: [14, 10]}, sizes: 0.3, rate: 100, velocity: [0, -1], material: a}]'
+    [more-clumps]='insertions=[{region: {shape: box, lower: [0, 1, 8], upper: [6, 7, 10]}, sizes: 0.5, rate: 100, velocity: [0, 0, -3], material: b}]'
+    [more-clumps-plane]='insertions=[{region: {shape: box, lower: [0, 8], upper: [14, 10]}, sizes: 0.5, rate: 100, velocity: [0, -3], material: b}]'
     [deletion]='deletions=[{region: {shape: box, lower: [-1, 0, 2], upper: [7, 4, 3]}, every: 20}]'
     [deletion-plane]='deletions=[{region: {shape: box, lower: [-1, 2], upper: [7, 3]}, every: 20}]'
     [leave]='walls=~
@@ -132,6 +134,8 @@ together space eepa bonds drag density mesh moving insertion deletion auto
 together space luding rolling bonds heat density groups leave insertion
 together space hertz rolling jkr insertion deletion stages servo heat hot drag
 together space capillary rolling clumps drag groups servo stages auto
+together space rolling clumps more-clumps deletion servo heat hot stokes stages groups grids files
+together space jkr clumps more-clumps deletion leave density drag auto
 together space hertz heat stokes density grids files rolling closed sheared deletion stages packed
 together space luding heat stokes density grids files closed stressed auto packed
 together space jkr heat drag grids closed strained deletion stages packed
@@ -139,6 +143,7 @@ together space capillary drag density files long closed sheared strained
 together space rolling heat closed deletion stages verlet stressed # gravity comes in a stage
 together plane clumps heat hot stokes density moving grids files vtk packed
 together plane hertz bonds heat stokes servo insertion deletion groups stages
+together plane hertz clumps more-clumps deletion leave heat stokes grids
 together plane jkr rolling clumps mesh insertion moving stages auto
 together plane luding heat stokes density closed sheared grids
 together plane capillary heat closed squeezed stressed files packed
@@ -170,7 +175,6 @@ balanced plane hertz clumps heat closed
 balanced plane bonds heat closed
 
 # refused WORDS SCENE FEATURE...: `check` names the key and the reason
-sets[more-clumps]='insertions=[{region: {shape: box, lower: [0, 1, 8], upper: [6, 7, 10]}, sizes: 0.5, rate: 100, material: b}]'
 sets[hooke-jkr]=$'contact.cohesion=jkr\nmaterial_pairs[0].surface_energy=3'
 refused() {
     local words=$1 flags
@@ -182,9 +186,6 @@ named() {
     check "refused: ${*:2}" refused "$@"
 }
 named 'bodies: together with bonds' space clumps bonds
-named 'insertions[0]: inserts grains that would be bodies' space clumps more-clumps
-named 'deletions: would part bodies' space clumps deletion
-named 'box.leave: delete would part bodies' space clumps leave
 named 'bodies: does not go with a box that moves' space clumps closed strained
 named 'bonds: does not go with a box that moves' space bonds closed stressed
 named 'box.shear: does not go with walls' space sheared

@@ -134,6 +134,19 @@ def test_particles_come_and_go():
         simulation.add([0, 0, 11], radius=0.1)
 
 
+def test_bodies_come_and_go_as_a_whole():
+    dumbbell = {"spheres": [{"centre": [-1, 0, 0], "radius": 1}, {"centre": [1, 0, 0], "radius": 1}]}
+    two = {"sources": [{"from": "single", "position": [0, 0, z], "radius": 0.2} for z in (5, 7)]}
+    simulation = scree.Simulation({**SCENE, "particles": two, "bodies": {"clumps": [dumbbell]}, "step": {"dt": 0.0002, "count": 400}})
+    member = simulation.id[simulation.field("body") == 1][0]
+    simulation.add([0, 0, 9], radius=0.3)
+    simulation.delete([member])
+    simulation.run(1)
+    body, identity = simulation.field("body"), simulation.id
+    assert sorted(identity[simulation.field("kind") == 3]) == [2, max(identity) - 2]
+    assert sorted(body[body >= 0]) == [2, 2, max(identity) - 2, max(identity) - 2]
+
+
 def test_ids_of_files_stand_beside_added_particles(tmp_path):
     (tmp_path / "rows.txt").write_text("id radius x y z\n7 0.3 1 1 1\n900 0.3 2 1 1\n")
     sources = [{"file": str(tmp_path / "rows.txt"), "format": "table"}, {"from": "single", "position": [0, 1, 1], "radius": 0.3}]

@@ -12,19 +12,17 @@ static double density_of(const struct insertion *insertion, double radius) {
     return particles_density(&insertion->box, radius, insertion->density);
 }
 
-static double mass_of(const struct insertion *insertion, double radius) {
-    return 4 * M_PI / 3 * radius * radius * radius * density_of(insertion, radius);
-}
-
-/* Mean mass over the law of sizes, by a fixed sample: the same on every rank, good to a percent. */
-static double mean_mass(const struct insertion *insertion) {
+void insertion_weigh(struct insertion *insertion, insertion_mass *mass, const void *context) {
     enum { SAMPLE = 65536 };
+    struct insertion_candidate candidate = {.material = insertion->options.material};
     double sum = 0;
-    for (uint64_t k = 0; k < SAMPLE; k++) {
-        struct random_sequence random = random_sequence(insertion->seed, RANDOM_RADIUS, k);
-        sum += mass_of(insertion, sizes_draw(&insertion->sampler, &random));
+    for (int64_t k = 0; k < SAMPLE; k++) {
+        struct random_sequence random = random_sequence(insertion->seed, RANDOM_RADIUS, (uint64_t)k);
+        candidate.radius = sizes_draw(&insertion->sampler, &random);
+        candidate.density = density_of(insertion, candidate.radius);
+        sum += mass(context, &candidate, k);
     }
-    return sum / SAMPLE;
+    insertion->mean_mass = sum / SAMPLE;
 }
 
 bool insertion_prepare(struct insertion *insertion, const struct insertion_options *options, int number,
@@ -45,10 +43,7 @@ bool insertion_prepare(struct insertion *insertion, const struct insertion_optio
         insertion->space.wrap[d] = box->periodic[d] && region->shape == REGION_BOX &&
                                    region->lower[d] <= box->origin[d] &&
                                    region->upper[d] >= box->origin[d] + box->edge[d];
-    if (!sizes_prepare(&insertion->sampler, &options->sizes, error))
-        return false;
-    insertion->mean_mass = mean_mass(insertion);
-    return true;
+    return sizes_prepare(&insertion->sampler, &options->sizes, error);
 }
 
 uint64_t insertion_due(const struct insertion *insertion, double time) {
@@ -158,13 +153,10 @@ size_t insertion_settle(const struct insertion *insertion, struct insertion_cand
     return unsettled;
 }
 
-size_t insertion_end(const struct insertion *insertion, struct insertion_state *state,
-                     struct insertion_candidate *candidate, size_t n) {
+size_t insertion_end(struct insertion_state *state, struct insertion_candidate *candidate, size_t n) {
     size_t placed = 0;
-    while (placed < n && candidate[placed].accepted) {
-        state->mass += mass_of(insertion, candidate[placed].radius);
+    while (placed < n && candidate[placed].accepted)
         placed++;
-    }
     for (size_t k = placed; k < n; k++)
         candidate[k].accepted = false;
     state->placed += placed;

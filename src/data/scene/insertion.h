@@ -48,7 +48,7 @@ struct deletion_options {
 struct insertion_state {
     uint64_t placed; /* particles inserted so far */
     uint64_t tried;  /* rounds so far: the counter of the random places */
-    double mass;     /* mass inserted so far */
+    double mass;     /* mass inserted so far; the caller adds it */
 };
 
 /* The fixed part of an insertion, made once. */
@@ -60,7 +60,7 @@ struct insertion {
     uint64_t seed;
     int number;       /* of the region in the scene: chooses its random numbers */
     double density;   /* as the scene means it (enum box_density) */
-    double mean_mass; /* of a particle, for mass_rate */
+    double mean_mass; /* of what a particle becomes, for mass_rate: insertion_weigh */
 };
 
 /* One candidate; positions box-relative. */
@@ -76,6 +76,11 @@ struct insertion_candidate {
 /* Prepares an insertion. `density` is that of its material. */
 bool insertion_prepare(struct insertion *insertion, const struct insertion_options *options, int number,
                        double density, uint64_t seed, const struct box *box, struct error *error);
+
+/* Sets the mean mass over the law of sizes of what particles become, by a fixed sample: the same on every rank, good to
+ * a percent. `mass` of a material, a radius, a density and an id; `context` is handed to it. */
+typedef double insertion_mass(const void *context, const struct insertion_candidate *candidate, int64_t id);
+void insertion_weigh(struct insertion *insertion, insertion_mass *mass, const void *context);
 
 /* Particles that should have been inserted by `time`, all in all. */
 uint64_t insertion_due(const struct insertion *insertion, double time);
@@ -100,12 +105,11 @@ void insertion_propose(const struct insertion *insertion, struct insertion_state
 size_t insertion_settle(const struct insertion *insertion, struct insertion_candidate *candidate,
                         const uint8_t *blocked, size_t n);
 
-/* Counts the accepted candidates into the state, as far as they follow one another without a gap: particles
+/* Counts the accepted candidates into state->placed, as far as they follow one another without a gap: particles
  * enter in the order of their numbers, so that a size law keeps its shares where large ones find no room.
  * Candidates behind a gap are marked as not accepted, and come again at the next call. Returns the number
  * that entered: candidate[0] ... */
-size_t insertion_end(const struct insertion *insertion, struct insertion_state *state,
-                     struct insertion_candidate *candidate, size_t n);
+size_t insertion_end(struct insertion_state *state, struct insertion_candidate *candidate, size_t n);
 
 /* True if a deletion is active at this step. */
 bool deletion_due(const struct deletion_options *options, double time, int64_t step);

@@ -245,3 +245,13 @@ size_t comm_gather_varying(const struct comm *comm, const void *mine, size_t byt
     *all = data;
     return total;
 }
+
+void *comm_share(const struct comm *comm, const void *mine, size_t bytes, size_t *total) {
+    void *all;
+    *total = comm_gather_varying(comm, mine, bytes, &all, NULL);
+    comm_broadcast(comm, total, sizeof *total);
+    if (comm->rank != 0)
+        all = memory_allocate(*total, 1, "shared data");
+    comm_broadcast(comm, all, *total);
+    return all;
+}

@@ -86,4 +86,7 @@ void comm_gather_all(const struct comm *comm, const void *mine, size_t bytes, vo
 size_t comm_gather_varying(const struct comm *comm, const void *mine, size_t bytes, void **all,
                            size_t *counts);
 
+/* The same on every rank: all bytes, in rank order, to be freed (memory_free), and their number. Collective. */
+void *comm_share(const struct comm *comm, const void *mine, size_t bytes, size_t *total);
+
 #endif

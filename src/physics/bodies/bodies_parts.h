@@ -28,6 +28,14 @@ void bodies_motion_push(const struct bodies_links *links, const struct physics_c
 /* The entry that a grain of this material and radius becomes a body of, those of clumps first; -1: none. */
 int place_entry(const struct bodies_options *options, int material, double radius);
 
+/* Refuses, by name, insertions that may not become the bodies that they would. Reads the shapes of `bodies` alone. */
+bool place_check(const struct bodies *bodies, const struct physics_context *context, struct error *error);
+
+/* `part` and `join` of struct physics_maker. */
+bool place_part(const struct bodies *bodies, uint64_t seed, const struct physics_grain *grain, int number,
+                struct physics_part *part);
+void place_join(struct bodies *bodies, const struct physics_context *context, size_t i, int64_t first_id);
+
 /* Turns the grains of this rank that are to be bodies into bodies and their members: `fill` of struct physics. */
 bool place_all(struct bodies *bodies, const struct physics_context *context,
                const struct physics_share *share, struct error *error);

@@ -32,10 +32,28 @@ static bool check_entry(const struct physics_context *context, const struct clum
     return true;
 }
 
-/* Makes all shapes: of each clump, of each variant of a rock. `clump` and `entry` have room for them. */
-static bool shapes_make(const struct physics_context *context, struct clump *clump,
-                        const struct clump_entry **entry, struct error *error) {
-    const struct bodies_options *options = context->options;
+static int shapes_count(const struct bodies_options *options) {
+    int count = options->clumps;
+    for (int k = 0; k < options->rocks; k++)
+        count += bodies_variants(&options->rock[k]);
+    return count;
+}
+
+static void shapes_free(struct bodies *bodies) {
+    for (int k = 0; k < bodies->shapes; k++)
+        clump_free(&bodies->clump[k]);
+    memory_free(bodies->clump);
+    memory_free(bodies->entry);
+}
+
+/* Makes all shapes: of each clump, of each variant of a rock. */
+static bool shapes_make(struct bodies *bodies, const struct physics_context *context, struct error *error) {
+    const struct bodies_options *options = bodies->options = context->options;
+    bodies->shapes = shapes_count(options);
+    struct clump *clump = bodies->clump =
+        memory_allocate_zero((size_t)bodies->shapes, sizeof *clump, "shapes of bodies");
+    const struct clump_entry **entry = bodies->entry =
+        memory_allocate_zero((size_t)bodies->shapes, sizeof *entry, "shapes of bodies");
     int number = 0;
     for (int k = 0; k < options->clumps; k++, number++) {
         entry[number] = &options->clump[k].entry;
@@ -51,42 +69,8 @@ static bool shapes_make(const struct physics_context *context, struct clump *clu
     return true;
 }
 
-static int shapes_count(const struct bodies_options *options) {
-    int count = options->clumps;
-    for (int k = 0; k < options->rocks; k++)
-        count += bodies_variants(&options->rock[k]);
-    return count;
-}
-
-static void shapes_free(struct clump *clump, int count, const struct clump_entry **entry) {
-    for (int k = 0; k < count; k++)
-        clump_free(&clump[k]);
-    memory_free(clump);
-    memory_free(entry);
-}
-
-/* What would part a body from its members. */
-static bool check_sources(const struct physics_context *context, struct error *error) {
+static bool check_others(const struct physics_context *context, struct error *error) {
     const struct scene *scene = context->scene;
-    char key[64];
-    for (int k = 0; k < scene->insertions; k++) {
-        const struct insertion_options *insertion = &scene->insertion[k];
-        double smallest, largest;
-        sizes_bounds(&insertion->sizes, &smallest, &largest);
-        snprintf(key, sizeof key, "insertions[%d]", k);
-        if (place_entry(context->options, insertion->material, smallest) >= 0 ||
-            place_entry(context->options, insertion->material, largest) >= 0)
-            return scene_fail(
-                scene, error, key,
-                "inserts grains that would be bodies; bodies are made at the start alone (not built yet)");
-    }
-    if (scene->deletions > 0)
-        return scene_fail(scene, error, "deletions", "would part bodies from their members: not with bodies");
-    for (int d = 0; d < context->box->dimension; d++)
-        for (int side = 0; side < 2; side++)
-            if (!context->box->periodic[d] && context->box->leave[d][side] == BOX_DELETE)
-                return scene_fail(scene, error, "box.leave",
-                                  "delete would part bodies from their members; with bodies: keep or error");
     if (scene->physics_given[PHYSICS_bonds])
         return scene_fail(scene, error, "bodies", "together with bonds: not built yet");
     if (scene->physics_given[PHYSICS_fluid])
@@ -96,9 +80,8 @@ static bool check_sources(const struct physics_context *context, struct error *e
 
 static bool check(const struct physics_context *context, struct error *error) {
     const struct bodies_options *options = context->options;
-    const int count = shapes_count(options);
     char key[64];
-    if (count == 0)
+    if (shapes_count(options) == 0)
         return scene_fail(context->scene, error, "bodies", "needs clumps or shapes");
     for (int k = 0; k < options->clumps + options->rocks; k++) {
         const bool rock = k >= options->clumps;
@@ -108,11 +91,10 @@ static bool check(const struct physics_context *context, struct error *error) {
                          key, error))
             return false;
     }
-    struct clump *clump = memory_allocate_zero((size_t)count, sizeof *clump, "shapes of bodies");
-    const struct clump_entry **entry = memory_allocate_zero((size_t)count, sizeof *entry, "shapes of bodies");
-    bool good = shapes_make(context, clump, entry, error);
-    shapes_free(clump, count, entry);
-    return good && check_sources(context, error) && rocks_check(context, error);
+    struct bodies bodies = {0};
+    bool good = shapes_make(&bodies, context, error) && place_check(&bodies, context, error);
+    shapes_free(&bodies);
+    return good && check_others(context, error) && rocks_check(context, error);
 }
 
 struct bodies *bodies_of(const struct physics_set *set) {
@@ -124,14 +106,10 @@ struct bodies *bodies_of(const struct physics_set *set) {
 
 static void *create(const struct physics_context *context) {
     struct bodies *bodies = memory_allocate_zero(1, sizeof *bodies, "bodies");
-    const struct bodies_options *options = bodies->options = context->options;
     struct error none = {0};
-    bodies->shapes = shapes_count(options);
-    bodies->clump = memory_allocate_zero((size_t)bodies->shapes, sizeof *bodies->clump, "shapes of bodies");
-    bodies->entry = memory_allocate_zero((size_t)bodies->shapes, sizeof *bodies->entry, "shapes of bodies");
-    if (!shapes_make(context, bodies->clump, bodies->entry, &none))
+    if (!shapes_make(bodies, context, &none))
         error_fatal("%s", none.text); /* a file that has changed since the check */
-    if (options->rocks > 0)
+    if (bodies->options->rocks > 0)
         bodies->rocks = rocks_create(context);
     grains_motion(context)->carried = &bodies->carried;
     return bodies;
@@ -139,7 +117,7 @@ static void *create(const struct physics_context *context) {
 
 static void destroy(void *self) {
     struct bodies *bodies = self;
-    shapes_free(bodies->clump, bodies->shapes, bodies->entry);
+    shapes_free(bodies);
     bodies_links_free(&bodies->links);
     rocks_free(&bodies->rocks);
     memory_free(bodies);
@@ -148,6 +126,15 @@ static void destroy(void *self) {
 static bool fill(const struct physics_context *context, const struct physics_share *share,
                  struct error *error) {
     return place_all(context->self, context, share, error);
+}
+
+static bool part(const struct physics_context *context, const struct physics_grain *grain, int number,
+                 struct physics_part *found) {
+    return place_part(context->self, context->scene->seed, grain, number, found);
+}
+
+static void join(const struct physics_context *context, size_t k, int64_t first_id) {
+    place_join(context->self, context, k, first_id);
 }
 
 static void rebuilt(const struct physics_context *context) {
@@ -301,7 +288,7 @@ static const struct physics_pass passes[] = {{.name = "bodies",
                                               .needed = has_rocks,
                                               .whole = sum}};
 
-static const struct physics_maker maker = {.fill = fill};
+static const struct physics_maker maker = {.fill = fill, .part = part, .join = join};
 static const struct physics_rows rows = {.of = rows_of, .components = ROCKS_COMPONENTS};
 static const struct physics_joints joints = {.joined = joined, .joins = has_rocks, .alone = alone};
 static const struct physics_shown shown = {.full_step = full_step};

@@ -14,6 +14,7 @@
 #include "kernel/particles/kinds.h"
 #include <inttypes.h>
 #include <math.h>
+#include <stdio.h>
 #include <string.h>
 
 static bool entry_fits(const struct clump_entry *entry, int material, double radius) {
@@ -31,21 +32,32 @@ int place_entry(const struct bodies_options *options, int material, double radiu
     return -1;
 }
 
-/* The shape of grain i: of those of its entry, which stand one after another, one by its id. -1: none. */
-static int shape_of(const struct bodies *bodies, const struct physics_context *context, size_t i) {
-    const struct particles *p = context->particles;
-    int entry = place_entry(bodies->options, material_of(material_numbers(p), i), p->state[i].radius);
-    if (kinds_of(p)[i] != KIND_GRAIN || entry < 0)
+/* The shape of a grain: of those of its entry, which stand one after another, one by its variant or its id. -1: none. */
+static int shape_of(const struct bodies *bodies, uint64_t seed, const struct physics_grain *grain) {
+    const struct bodies_options *options = bodies->options;
+    const int entry = place_entry(options, grain->material, grain->radius), rock = entry - options->clumps;
+    if (entry < 0)
         return -1;
-    const int clumps = bodies->options->clumps;
-    int first = entry < clumps ? entry : clumps;
-    for (int k = clumps; k < entry; k++)
-        first += bodies_variants(&bodies->options->rock[k - clumps]);
-    if (entry < clumps)
-        return first;
-    struct random_sequence random =
-        random_sequence(context->scene->seed, RANDOM_SHAPE, (uint64_t)p->id[i] + ((uint64_t)1 << 32));
-    return first + (int)(random_uniform(&random) * bodies_variants(&bodies->options->rock[entry - clumps]));
+    const int variants = rock < 0 ? 1 : bodies_variants(&options->rock[rock]);
+    int first = rock < 0 ? entry : options->clumps, variant = grain->variant;
+    for (int k = 0; k < rock; k++)
+        first += bodies_variants(&options->rock[k]);
+    if (variant < 0) {
+        struct random_sequence random =
+            random_sequence(seed, RANDOM_SHAPE, (uint64_t)grain->id + ((uint64_t)1 << 32));
+        variant = rock < 0 ? 0 : (int)(random_uniform(&random) * variants);
+    }
+    return variant < variants ? first + variant : -1;
+}
+
+/* The shape that particle i becomes, -1: none. */
+static int shape_at(const struct bodies *bodies, const struct physics_context *context, size_t i) {
+    const struct particles *p = context->particles;
+    const struct physics_grain grain = {.material = material_of(material_numbers(p), i),
+                                        .radius = p->state[i].radius,
+                                        .id = p->id[i],
+                                        .variant = -1};
+    return kinds_of(p)[i] == KIND_GRAIN ? shape_of(bodies, context->scene->seed, &grain) : -1;
 }
 
 /* Uniform over all rotations (Shoemake, Graphics Gems III (1992) 124); in two dimensions over the circle. */
@@ -78,6 +90,11 @@ static void orientation_choose(const struct physics_context *context, const stru
         q[k] /= sqrt(norm);
 }
 
+/* The radius of the ball around the body that a grain becomes. */
+static double ball_of(const struct bodies *bodies, int number, double radius) {
+    return bodies->entry[number]->size == CLUMP_AS_DRAWN ? bodies->clump[number].extent : radius;
+}
+
 /* Turns grain i into the particle of a body. */
 static void body_make(struct bodies *bodies, const struct physics_context *context, size_t i, int number) {
     const struct clump *clump = &bodies->clump[number];
@@ -87,8 +104,7 @@ static void body_make(struct bodies *bodies, const struct physics_context *conte
     const struct integrator_motion *motion = group ? &grains_motion(context)->motion[group[i]] : NULL;
     double *omega = spin_of(p)[i], *spin = bodies_spin(p)[i], *q = bodies_orientation(p)[i], turn[9];
     double density = groups_mass(p, i) / particles_sphere_mass(state->radius, 1);
-    if (bodies->entry[number]->size == CLUMP_AS_DRAWN)
-        state->radius = clump->extent;
+    state->radius = ball_of(bodies, number, state->radius);
     double scale = state->radius / clump->extent;
     bodies_mass(p)[i] = clump_mass(clump, scale, density);
     bodies_part(p)[i] = number;
@@ -179,6 +195,17 @@ static bool fits_box(const struct box *box, double radius) {
     return fits;
 }
 
+/* Makes body `number` of grain i, with its members. */
+static void body_join(struct bodies *bodies, const struct physics_context *context, size_t i, int number,
+                      int64_t first_id) {
+    struct particles *p = context->particles;
+    body_make(bodies, context, i, number);
+    for (int k = 0; k < bodies->clump[number].spheres; k++)
+        member_append(bodies, context, i, k, first_id + k);
+    kinds_of(p)[i] = KIND_BODY;
+    p->state[i].inverse_mass = 0;
+}
+
 bool place_all(struct bodies *bodies, const struct physics_context *context,
                const struct physics_share *share, struct error *error) {
     struct particles *p = context->particles;
@@ -186,13 +213,13 @@ bool place_all(struct bodies *bodies, const struct physics_context *context,
     const size_t grains = p->owned;
     size_t members = 0;
     for (size_t i = 0; i < grains; i++) {
-        int number = shape_of(bodies, context, i);
+        int number = shape_at(bodies, context, i);
         if (number >= 0)
             members += (size_t)bodies->clump[number].spheres;
     }
     particles_reserve(p, grains + members);
     for (size_t i = 0; i < grains; i++) {
-        int number = shape_of(bodies, context, i);
+        int number = shape_at(bodies, context, i);
         if (number < 0)
             continue;
         if (p->id[i] >= room / most)
@@ -200,17 +227,69 @@ bool place_all(struct bodies *bodies, const struct physics_context *context,
                              "bodies: particle %" PRId64 " becomes a body of up to %" PRId64
                              " spheres, whose ids would be above 2^62; give particles smaller ids",
                              p->id[i], most);
-        body_make(bodies, context, i, number);
-        if (bodies->clump[number].core.corners > 0 && !fits_box(context->box, p->state[i].radius))
+        if (bodies->clump[number].core.corners > 0 &&
+            !fits_box(context->box, ball_of(bodies, number, p->state[i].radius)))
             return error_set(error, ERROR_USER,
                              "bodies.shapes: particle %" PRId64
                              " becomes a rock in a ball of radius %.6g, which is as "
                              "large as a periodic edge of the box: it would meet itself",
-                             p->id[i], p->state[i].radius);
-        for (int k = 0; k < bodies->clump[number].spheres; k++)
-            member_append(bodies, context, i, k, share->first_id + p->id[i] * most + k);
-        kinds_of(p)[i] = KIND_BODY;
-        p->state[i].inverse_mass = 0;
+                             p->id[i], ball_of(bodies, number, p->state[i].radius));
+        body_join(bodies, context, i, number, share->first_id + p->id[i] * most);
     }
     return true;
+}
+
+bool place_part(const struct bodies *bodies, uint64_t seed, const struct physics_grain *grain, int number,
+                struct physics_part *part) {
+    const int shape = shape_of(bodies, seed, grain);
+    if (shape < 0 || number >= bodies->clump[shape].spheres)
+        return false;
+    const struct clump *clump = &bodies->clump[shape];
+    const double scale = ball_of(bodies, shape, grain->radius) / clump->extent;
+    *part = (struct physics_part){.radius = scale * clump->sphere[number].radius,
+                                  .mass = clump->share[number] * clump_mass(clump, scale, grain->density)};
+    return true;
+}
+
+void place_join(struct bodies *bodies, const struct physics_context *context, size_t i, int64_t first_id) {
+    const int number = shape_at(bodies, context, i);
+    if (number >= 0)
+        body_join(bodies, context, i, number, first_id);
+}
+
+static bool check_insertion(const struct bodies *bodies, const struct physics_context *context, int k,
+                            struct error *error) {
+    const struct insertion_options *insertion = &context->scene->insertion[k];
+    double smallest, largest;
+    char key[64];
+    snprintf(key, sizeof key, "insertions[%d].sizes", k);
+    sizes_bounds(&insertion->sizes, &smallest, &largest);
+    for (int s = 0; s < bodies->shapes; s++) {
+        const struct clump_entry *entry = bodies->entry[s];
+        const struct clump *clump = &bodies->clump[s];
+        if ((entry->material >= 0 && entry->material != insertion->material) ||
+            !(largest > entry->radius_above && smallest <= entry->radius_upto))
+            continue;
+        const double ball = ball_of(bodies, s, fmin(largest, entry->radius_upto));
+        if (entry->size == CLUMP_AS_DRAWN && fmax(smallest, entry->radius_above) < clump->extent)
+            return scene_fail(
+                context->scene, error, key,
+                "the body '%s' as drawn has a ball of radius %.6g, and finds a place for the radius of "
+                "its grain, which may be %.6g: allowed are larger grains, or size: grain",
+                entry->name, clump->extent, fmax(smallest, entry->radius_above));
+        if (clump->core.corners > 0 && !fits_box(context->box, ball))
+            return scene_fail(
+                context->scene, error, key,
+                "the rock '%s' has a ball of radius %.6g, as large as a periodic edge of the box: it would "
+                "meet itself",
+                entry->name, ball);
+    }
+    return true;
+}
+
+bool place_check(const struct bodies *bodies, const struct physics_context *context, struct error *error) {
+    bool good = true;
+    for (int k = 0; k < context->scene->insertions && good; k++)
+        good = check_insertion(bodies, context, k, error);
+    return good;
 }

@@ -8,6 +8,9 @@
 #include <math.h>
 #include <string.h>
 
+/* Sizes of an insertion that are looked at. */
+enum { SORTS_SIZES = 17 };
+
 /* A sphere of a sort. */
 struct sorts_sphere {
     double radius, mass;
@@ -54,7 +57,20 @@ static double fall_from(const struct physics_context *c, const double lower[3], 
     return fall;
 }
 
-/* Adds the sorts of an insertion. */
+/* Adds the sorts of the spheres that a grain of an insertion becomes, of all variants. */
+static void sorts_enter(const struct physics_context *c, struct sorts *sorts, struct physics_grain grain,
+                        const struct sorts_sphere *moving) {
+    struct sorts_sphere sphere = *moving;
+    struct physics_part part;
+    for (grain.variant = 0; physics_part(c->set, &grain, 0, &part); grain.variant++)
+        for (int k = 0; physics_part(c->set, &grain, k, &part); k++) {
+            sphere.radius = part.radius;
+            sphere.mass = part.mass;
+            sorts_put(sorts, sort_of(c, grain.material, part.radius, part.mass), &sphere);
+        }
+}
+
+/* Adds the sorts of an insertion, from its smallest to its largest size. */
 static void sorts_insert(const struct physics_context *c, struct sorts *sorts,
                          const struct insertion_options *options) {
     double radius[2], edge[2][3], v2 = 0, sigma = options->velocity_sigma, density = options->density;
@@ -70,11 +86,17 @@ static void sorts_insert(const struct physics_context *c, struct sorts *sorts,
     sorts->fastest = fmax(sorts->fastest, v2);
     /* the highest sphere touches the side of the region from which it falls deepest */
     double fall = fall_from(c, edge[1], edge[0]);
-    for (int k = 0; k < 2; k++) {
-        double mass = particles_sphere_mass(radius[k], particles_density(c->box, radius[k], density));
-        struct sorts_sphere sphere = {radius[k], mass, v2, fall};
-        sorts_put(sorts, sort_of(c, options->material, radius[k], mass), &sphere);
+    const struct sorts_sphere sphere = {.start = v2, .fall = fall};
+    struct physics_grain grain[SORTS_SIZES];
+    bool made = false; /* spheres that stay as they are lie between their ends */
+    for (int k = 0; k < SORTS_SIZES; k++) {
+        double part = (double)k / (SORTS_SIZES - 1), size = (1 - part) * radius[0] + part * radius[1];
+        grain[k] =
+            (struct physics_grain){options->material, size, particles_density(c->box, size, density), 0, 0};
+        made = made || physics_parts(c->set, &grain[k]) > 0;
     }
+    for (int k = 0; k < SORTS_SIZES; k += made ? 1 : SORTS_SIZES - 1)
+        sorts_enter(c, sorts, grain[k], &sphere);
 }
 
 /* Adds a particle of this rank. */

@@ -238,8 +238,12 @@ static void sizes_find(const struct physics_context *context, struct hard *hard)
         heavy = fmax(heavy, 1.0 / state->inverse_mass);
     }
     for (int k = 0; k < context->scene->insertions; k++) {
-        sizes_bounds(&context->scene->insertion[k].sizes, &smallest, &largest);
-        least[0] = fmin(least[0], smallest);
+        const struct insertion_options *insertion = &context->scene->insertion[k];
+        struct physics_part part;
+        sizes_bounds(&insertion->sizes, &smallest, &largest);
+        const struct physics_grain grain = {insertion->material, smallest, 1.0, 0, -1};
+        for (int n = 0; physics_part(context->set, &grain, n, &part); n++)
+            least[0] = fmin(least[0], part.radius);
     }
     comm_min(context->comm, least, 2);
     comm_max(context->comm, &heavy, 1);
