@@ -110,5 +110,32 @@ check "scalars are refused" refused 'fluid.scalars: .*allowed with it: none' --s
 check "unresolved grains are refused" refused 'fluid.grains.unresolved: ' --set fluid.grains.unresolved=0.1 --set drag.law=stokes
 check "slip is refused" refused 'fluid.walls.velocity: ' --set 'fluid.walls={velocity: slip, slip_length: 1}'
 check "other lattices are refused" refused 'fluid.fill.arrangement: ' --set fluid.fill.arrangement=hexagonal
-check "a solver of contacts is refused" refused 'contact.solver: ' --set contact.solver=gauss_seidel
+
+# What is observed between steps is the same run
+seen() {
+    rm -rf other
+    run_scene 1 drop.yaml other --set threads=1 --set step.count=800 --set observables.every=800 && mv other seldom &&
+        run_scene 1 drop.yaml other --set threads=1 --set step.count=800 --set observables.every=40 &&
+        cmp <(tail -n 1 seldom/observables.csv) <(tail -n 1 other/observables.csv)
+}
+check "observables change no bit of the flow" seen
+
+# A solver of contacts in the step of the fluid: three discs fall, roll apart and rest
+solved=(--set 'contact={law: rigid, solver: {sweeps: 200, tolerance: 1e-6}}' --set 'materials=[{name: glass, density: 0.46875}]' --set step.dt=0.25 --set step.force=true
+    --set fluid.grains.every=1 --set step.count=400 --set observables.every=100 --set output.checkpoint.every=200)
+solves() {
+    rm -rf one
+    run_scene 1 drop.yaml one --set threads=1 "${solved[@]}" && awk -F , '
+        NR == 1 { for (k = 1; k <= NF; k++) { sub(/\[.*/, "", $k); at[$k] = k } next }
+        { energy = $at["energy_kinetic"]; most = energy > most ? energy : most; floor = $at["floor_fy"]; y = $at["centre_y"]; balance[NR] = $at["energy_balance"] }
+        END { weight = 3 * 3.14159265358979 * 16 * 1.5 * 0.0833333; drift = (balance[NR] - balance[2]) / balance[2]
+              printf "  floor carries %.4g of the weight, discs at %.6g, energy %.2g of its peak, balance %.1g\n", -floor / weight, y, energy / most, drift
+              exit !(floor < -0.98 * weight && floor > -1.02 * weight && y > 3.998 && y < 4 && energy < 0.05 * most && drift ^ 2 < 1e-6) }' one/observables.csv
+}
+check "discs fall and rest by a solver of contacts" solves
+check "the same on 2 ranks, to the tolerance" ranks 2 2e-3 "${solved[@]}"
+check "a resume gives the same bits" eval 'rm -rf other; run_scene 1 drop.yaml other --set threads=1 "${solved[@]}" --resume one/checkpoint-200.h5 &&
+    cmp <(tail -n 1 one/observables.csv) <(tail -n 1 other/observables.csv)'
+check "Newton's method gives the same" ranks 1 2e-3 "${solved[@]}" --set contact.solver.name=newton
+check "a solver of contacts and mirrors are refused" refused 'fluid: .*allowed with it: fluid.grains.coupling: rigid' "${solved[@]}" --set fluid.grains=free --set fluid.motion=lagrangian
 finish

@@ -148,7 +148,7 @@ done <<'EOS'
 bonds bonds: does not go with contact.solver yet
 heat heat: does not go with contact.solver yet
 drag drag: does not go with contact.solver yet
-fluid fluid: does not go with contact.solver yet
+fluid fluid: a fluid around grains with contact.solver needs
 servo walls[1].motion[0]: does not go with contact.solver yet
 sheared contact.solver: does not go with a box that moves
 strained contact.solver: does not go with a box that moves

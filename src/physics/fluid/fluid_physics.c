@@ -4,6 +4,7 @@
 #include "engine/physics.h"
 #include "physics/fluid/coupling/grain_coupling.h"
 #include "physics/fluid/coupling/rigid_fields.h"
+#include "physics/fluid/coupling/rigid_motion.h"
 #include "physics/fluid/coupling/rigid_step.h"
 #include "physics/fluid/coupling/unresolved_grains.h"
 #include "physics/fluid/carried/electrolyte.h"
@@ -158,6 +159,14 @@ static bool rests(const struct physics_context *context) {
 }
 
 static const struct physics_pass passes[] = {
+    {.name = "kept",
+     .why = "solved contacts of grains that a fluid moves",
+     .place = PASS_FIRST,
+     .timer = "flow",
+     .reads = "force",
+     .writes = "fluid_impulse",
+     .needed = rigid_motion_solved,
+     .whole = rigid_motion_gather_solved},
     {.name = "follow",
      .why = "particles of a fluid that move",
      .place = PASS_MOVE,

@@ -70,8 +70,11 @@ static bool check_pairs(const struct scene *scene, struct error *error) {
     return true;
 }
 
-/* True if a physics does nothing to grains, and has no particles and no step of its own. */
-static bool only_looks(const struct physics *row) {
+/* True if physics k goes with a solver: bodies, a fluid (which says itself how), and one that does nothing to grains, and has no particles and no step of its own. */
+static bool goes_with(int k) {
+    const struct physics *row = physics_get((enum physics_number)k);
+    if (k == PHYSICS_hard || k == PHYSICS_bodies || k == PHYSICS_fluid)
+        return true;
     return !row->maker && !row->joints && !row->limit && !row->energy && !row->mover && !row->carrier;
 }
 
@@ -105,10 +108,9 @@ bool hard_check(const struct physics_context *context, struct error *error) {
     if (scene->reproducible)
         return scene_fail(scene, error, "reproducible", with, "false");
     for (int k = 0; k < PHYSICS_COUNT; k++)
-        if (scene->physics_given[k] && k != PHYSICS_hard && k != PHYSICS_bodies &&
-            !only_looks(physics_get((enum physics_number)k)))
+        if (scene->physics_given[k] && !goes_with(k))
             return scene_fail(scene, error, physics_key((enum physics_number)k), with,
-                              "bodies, and physics that only look at grains");
+                              "bodies, fluid, and physics that only look at grains");
     for (int w = 0; w < scene->walls; w++)
         for (int m = 0; m < scene->wall[w].motions; m++)
             if (scene->wall[w].motion[m].kind == WALL_SERVO) {

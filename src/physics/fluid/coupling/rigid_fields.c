@@ -16,9 +16,9 @@ static const struct field
     motion_of = {.name = "fluid_motion", .type = FIELD_DOUBLE, .components = 12, .use = FIELD_TRAVELS, .fill = NAN,
                  .kinds = 1u << KIND_GRAIN, .needed_for = "fluid.grains",
                  .help = "velocity (m/s) and spin (rad/s) of a grain after the last step of the fluid, and their changes in it"},
-    impulse = {.name = "fluid_impulse", .type = FIELD_DOUBLE, .components = 6, .use = FIELD_TRAVELS,
+    impulse = {.name = "fluid_impulse", .type = FIELD_DOUBLE, .components = RIGID_IMPULSE, .use = FIELD_TRAVELS,
                .kinds = 1u << KIND_GRAIN, .needed_for = "fluid.grains",
-               .help = "momentum (N s, N m s) that contacts gave a grain since the last step of the fluid"},
+               .help = "momentum (N s, N m s) that contacts gave a grain since the last step of the fluid; 1 if it was touched in the last step"},
     found = {.name = "fluid_found", .type = FIELD_DOUBLE, .components = 6, .kinds = 1u << KIND_GRAIN,
              .needed_for = "fluid.grains", .help = "velocity and spin of a grain within a step"};
 /* clang-format on */
@@ -48,7 +48,7 @@ double (*rigid_fields_motion(const struct particles *particles))[12] {
     return fields_values(particles, &motion_of);
 }
 
-double (*rigid_fields_impulse(const struct particles *particles))[6] {
+double (*rigid_fields_impulse(const struct particles *particles))[RIGID_IMPULSE] {
     return fields_values(particles, &impulse);
 }
 

@@ -231,7 +231,7 @@ static struct rigid_work work_make(const struct physics_context *context) {
 bool rigid_step(const struct physics_context *context, struct error *error) {
     struct fluid *fluid = context->self;
     struct rigid_work work = work_make(context);
-    size_t first = work.flow->weights->first;
+    size_t first = work.flow->weights->first, dimension = (size_t)context->box->dimension;
     double(*forcing)[3] = rigid_fields_forcing(context->particles) + first,
     theta = projection_theta(&fluid->past);
     const struct projection_push push = {work.dt, fluid->drive.force, (const double(*)[3])forcing};
@@ -240,8 +240,9 @@ bool rigid_step(const struct physics_context *context, struct error *error) {
     if (!projection_predict(fluid->projection, work.flow, &fluid->past, &push, error))
         return false;
     for (size_t row = 0; row < work.rigid->rows; row++)
-        for (size_t d = 0; d < 3; d++)
-            work.rigid->bare[row][d] = work.flow->predicted[3 * (first + row) + d] - forcing[row][d];
+        for (size_t d = 0; d < 3; d++) /* in two dimensions output has left the vorticity at z */
+            work.rigid->bare[row][d] =
+                d < dimension ? work.flow->predicted[3 * (first + row) + d] - forcing[row][d] : 0;
     memory_take(&work, true);
     if (!forcing_loop(&work, error))
         return false;

@@ -12,6 +12,11 @@ static bool refuse(const struct physics_context *context, const char *key, const
 
 bool rigid_suits(const struct physics_context *context, struct error *error) {
     const struct fluid_options *options = context->options;
+    if (!fluid_rigid(options) && context->scene->physics_given[PHYSICS_hard])
+        return scene_fail(
+            context->scene, error, "fluid",
+            "a fluid around grains with contact.solver needs grains in which the flow is rigid; "
+            "allowed with it: fluid.grains.coupling: rigid");
     if (!fluid_rigid(options))
         return true;
     if (options->time != FLUID_TRANSIENT)
@@ -33,7 +38,5 @@ bool rigid_suits(const struct physics_context *context, struct error *error) {
         return refuse(context, "fluid.fill.jitter", "a displaced lattice", "0", error);
     if (context->scene->physics_given[PHYSICS_bodies])
         return refuse(context, "bodies", "a rigid body", "single grains", error);
-    if (context->scene->physics_given[PHYSICS_hard])
-        return refuse(context, "contact.solver", "a solver of contacts", "soft contacts", error);
     return true;
 }
