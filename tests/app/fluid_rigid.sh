@@ -111,4 +111,6 @@ check "unresolved grains are refused" refused 'fluid.grains.unresolved: ' --set 
 check "slip is refused" refused 'fluid.walls.velocity: ' --set 'fluid.walls={velocity: slip, slip_length: 1}'
 check "other lattices are refused" refused 'fluid.fill.arrangement: ' --set fluid.fill.arrangement=hexagonal
 check "a solver of contacts is refused" refused 'contact.solver: ' --set contact.solver=gauss_seidel
+
+check "ten discs fall and rest" env SCREE="$scree" SCREE_ARGS='--set threads=1' sh "$top_srcdir/examples/water_bed/check" "$out/bed"
 finish
