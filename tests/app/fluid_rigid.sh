@@ -138,4 +138,6 @@ check "a resume gives the same bits" eval 'rm -rf other; run_scene 1 drop.yaml o
     cmp <(tail -n 1 one/observables.csv) <(tail -n 1 other/observables.csv)'
 check "Newton's method gives the same" ranks 1 2e-3 "${solved[@]}" --set contact.solver.name=newton
 check "a solver of contacts and mirrors are refused" refused 'fluid: .*allowed with it: fluid.grains.coupling: rigid' "${solved[@]}" --set fluid.grains=free --set fluid.motion=lagrangian
+
+check "ten discs fall and rest" env SCREE="$scree" SCREE_ARGS='--set threads=1' sh "$top_srcdir/examples/water_bed/check" "$out/bed"
 finish
