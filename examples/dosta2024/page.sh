@@ -23,16 +23,19 @@ sort -s -t "$(printf '\t')" -k1,1n -k2,2g "$work/placed" | cut -f 3- >"$work/row
     echo '|---|---|---|---|---|---|---|---|'
     awk -F'\t' '
         function million(x) { return sprintf(x < 1e7 ? "%.2f" : x < 1e8 ? "%.1f" : "%.0f", x / 1e6) }
+        # a result is x, x+-s (mean and spread of seeds), or x/y, where the other codes have y over the same time
+        function shown(x) { sub(/\/.*/, "", x); sub(/\+-/, " ± ", x); return x }
+        function off(x, all, part) { return split(x, part, "/") == 2 ? part[1] / part[2] - 1 : x / all - 1 }
         NR == FNR {
             if ($2 ~ /^(MUSEN|LIGGGHTS|peclet)/ && $3 ~ /^Hertz/ && $10 != "-") { sum[$1] += $10; codes[$1]++ }
             next
         }
         {
-            error = codes[$1] && $10 != "-" ? sprintf("%+.1f %%", 100 * ($10 * codes[$1] / sum[$1] - 1)) : "–"
+            error = codes[$1] && $10 != "-" ? sprintf("%+.1f %%", 100 * off($10, sum[$1] / codes[$1])) : "–"
             cores = $5 == "-" ? "" : $5 == 1 ? ", 1 core" : ", " $5 " cores"
             mark = $8 != "-" && $12 ~ /shared|load/ ? " (shared)" : ""
             printf "| %s | %s: %s | %s%s | %s%s | %s | %s | %s | %s |\n", $1, $2 ~ /^scree/ ? "**" $2 "**" : $2, $3, $4, cores, $8 == "-" ? "–" : $8, mark,
-                $9 == "-" ? "–" : million($9), $5 == "-" || $9 == "-" ? "–" : million($9 / $5), $10 == "-" ? "–" : $10, error
+                $9 == "-" ? "–" : million($9), $5 == "-" || $9 == "-" ? "–" : million($9 / $5), $10 == "-" ? "–" : shown($10), error
         }' "$work/rows" "$work/rows"
     if command -v gnuplot >/dev/null; then
         # a point a row: place of the case, million updates a second of a core or of a card, one file a code
