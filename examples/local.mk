@@ -28,7 +28,7 @@ nobase_dist_pkgdata_DATA = \
 	%D%/dosta2024/curves/impact50-peclet.csv %D%/dosta2024/curves/silo-large-m1-liggghts.csv \
 	%D%/dosta2024/curves/silo-large-m1-musen.csv %D%/dosta2024/curves/silo-large-m1-peclet.csv \
 	%D%/dosta2024/curves/silo-small-m1-musen.csv %D%/dosta2024/curves/silo-small-m1-peclet.csv \
-	%D%/dosta2024/drum.awk %D%/dosta2024/impact.awk %D%/dosta2024/page.gp %D%/dosta2024/page.head.md \
+	%D%/dosta2024/drum.awk %D%/dosta2024/growth.awk %D%/dosta2024/impact.awk %D%/dosta2024/page.gp %D%/dosta2024/page.head.md \
 	%D%/dosta2024/page.tail.md %D%/dosta2024/picture.gp %D%/dosta2024/row.awk %D%/dosta2024/rows.tsv \
 	%D%/dosta2024/seeds.awk %D%/dosta2024/silo.awk %D%/dosta2024/silo.yaml %D%/drum/README.md \
 	%D%/drum/compare.awk %D%/drum/lammps-1.csv %D%/drum/lammps-2.csv %D%/drum/lammps/data.awk \
@@ -103,7 +103,7 @@ nobase_dist_pkgdata_SCRIPTS = \
 	%D%/dosta2024/curves/impact50-musen.csv %D%/dosta2024/curves/impact50-peclet.csv \
 	%D%/dosta2024/curves/silo-large-m1-liggghts.csv %D%/dosta2024/curves/silo-large-m1-musen.csv \
 	%D%/dosta2024/curves/silo-large-m1-peclet.csv %D%/dosta2024/curves/silo-small-m1-musen.csv \
-	%D%/dosta2024/curves/silo-small-m1-peclet.csv %D%/dosta2024/drum.awk %D%/dosta2024/impact.awk \
+	%D%/dosta2024/curves/silo-small-m1-peclet.csv %D%/dosta2024/drum.awk %D%/dosta2024/growth.awk %D%/dosta2024/impact.awk \
 	%D%/dosta2024/measure.sh %D%/dosta2024/page.gp %D%/dosta2024/page.head.md %D%/dosta2024/page.sh \
 	%D%/dosta2024/page.tail.md %D%/dosta2024/picture.gp %D%/dosta2024/row.awk %D%/dosta2024/rows.tsv \
 	%D%/dosta2024/run.sh %D%/dosta2024/seeds.awk %D%/dosta2024/silo.awk %D%/dosta2024/silo.yaml \

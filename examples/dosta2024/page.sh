@@ -45,6 +45,7 @@ sort -s -t "$(printf '\t')" -k1,1n -k2,2g "$work/placed" | cut -f 3- >"$work/row
         gnuplot -e "work='$work'; picture='$documents/images/benchmarks.svg'" "$here/page.gp"
         printf '\n![Million particle updates a second, of a core or of a graphics card](images/benchmarks.svg)\n'
     fi
-    cat "$here/page.tail.md"
+    awk -f "$here/growth.awk" "$here/../../docs/results/performance/growth.jsonl" "$here/../../docs/scaling.md" >"$work/growth"
+    sed -e "/^@growth@\$/{ r $work/growth" -e 'd; }' "$here/page.tail.md"
 } >"$work/page"
 cp "$work/page" "$documents/benchmarks.md"
