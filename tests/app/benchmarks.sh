@@ -54,6 +54,7 @@ case_of() { # TIME STEPS [TIMED]: a tiny run of impact25; a verdict that did not
         { cat said lines; return 1; }
 }
 check 'a case runs, and its last line has what others read' case_of 1e-5 20
+check 'one that is done is not run again' case_of 1e-5 20
 check 'the same command goes on from there' case_of 2e-5 40
 rm impact/run/segments # as if the machine had died before the script could note the steps and their seconds
 check 'a run that was killed goes on from its checkpoint, and says what was timed' case_of 3e-5 20 '"timed": 0.333, '
