@@ -37,7 +37,7 @@ nobase_dist_pkgdata_DATA = \
 	%D%/electroosmosis/README.md %D%/electroosmosis/picture.gp %D%/electroosmosis/scene.yaml %D%/ergun/README.md \
 	%D%/ergun/scene.yaml %D%/ergun/section.awk %D%/fluid_scaling/README.md %D%/fluid_scaling/count_calls.c \
 	%D%/fluid_scaling/counts.awk %D%/fluid_scaling/scene.yaml %D%/fluid_scaling/section.awk \
-	%D%/fluidised_bed/README.md %D%/fluidised_bed/picture.gp %D%/fluidised_bed/scene.yaml %D%/gallery/README.md \
+	%D%/fluidised_bed/README.md %D%/fluidised_bed/picture.gp %D%/fluidised_bed/scene.yaml %D%/fluidised_bed/slice.yaml %D%/gallery/README.md \
 	%D%/gallery/compaction.yaml %D%/gallery/drum.yaml %D%/gallery/funnel.txt %D%/gallery/gate.txt \
 	%D%/gallery/hopper.yaml %D%/gallery/pictures.txt %D%/gallery/plot.gp %D%/gallery/pouring.yaml \
 	%D%/gallery/quick.txt %D%/gallery/shear_cell.yaml %D%/gallery/sieve.yaml %D%/gallery/sieves.txt \
@@ -117,7 +117,7 @@ nobase_dist_pkgdata_SCRIPTS = \
 	%D%/fluid_scaling/README.md %D%/fluid_scaling/count_calls.c %D%/fluid_scaling/counts.awk \
 	%D%/fluid_scaling/run.sh %D%/fluid_scaling/scene.yaml %D%/fluid_scaling/section.awk \
 	%D%/fluid_scaling/section.sh %D%/fluidised_bed/README.md %D%/fluidised_bed/check \
-	%D%/fluidised_bed/picture.gp %D%/fluidised_bed/run.sh %D%/fluidised_bed/scene.yaml \
+	%D%/fluidised_bed/picture.gp %D%/fluidised_bed/run.sh %D%/fluidised_bed/scene.yaml %D%/fluidised_bed/slice.yaml \
 	%D%/fluidised_bed/section.sh %D%/gallery/README.md %D%/gallery/check %D%/gallery/compaction.yaml \
 	%D%/gallery/drum.yaml %D%/gallery/funnel.txt %D%/gallery/gate.txt %D%/gallery/hopper.yaml \
 	%D%/gallery/pictures.txt %D%/gallery/plot.gp %D%/gallery/pouring.yaml %D%/gallery/quick.txt \
