@@ -2,16 +2,17 @@
 # SPDX-License-Identifier: BSD-3-Clause
 # How time and memory grow: growth.sh [--quick]
 #
-# particles: packings of radii 1 ... 10, number density ~ r^-3, solid fraction 0.4, of 10^4, 10^5, 10^6 and 10^7 particles.
+# particles: packings of radii 1 ... 10, number density ~ r^-3, solid fraction 0.4, of 10^4, 10^5, 10^6 and 10^7 particles;
+# gas: of radii 1 ... 1.2, solid fraction 0.2; bed: the same radii, solid fraction 0.55, in a cube that is not periodic. 10^8 where memory allows.
 # boulder: 200,000 equal spheres of radius 1 in a cube, and one of radius R = 1, 10, 100, 1000 that reaches into it from below.
 # spread: 200,000 particles with radii 1 ... R, number density ~ r^-3, solid fraction 0.4, for R = 2, 10, 100, 1000: nearly all small.
 #
 # 96 steps with Hooke contacts and slip history, a rebuild every 16. One JSON line a point: seconds is one step, rebuilds
 # included, the fastest of RUNS; rebuild_seconds is one rebuild; bytes_per_particle is all memory that the program counts. The last line
-# is the summary: the largest time per particle of each of the three series over its least, the same for memory.
+# is the summary: the largest time per particle of each of each series over its least, the same for memory.
 #
 # --quick: up to 10^5 particles, 20,000 small ones. SCREE, THREADS (all cores), RUNS (5; quick: 3), NUMBERS (of particles of
-# the first series), SMALL (small ones of the others), WORK (keeps the packings) may be set.
+# the first three series), SMALL (small ones of the others), WORK (keeps the packings) may be set.
 set -eu
 here=$(cd "$(dirname "$0")" && pwd)
 . "$here/packing.sh"
@@ -19,7 +20,7 @@ quick_after 0 "growth.sh [--quick]" "$@"
 threads=${THREADS:-$cores}
 runs=${RUNS:-$(by_mode 3 5)}
 steps=96
-numbers="10000 100000 1000000 10000000"
+numbers="10000 100000 1000000 10000000 100000000"
 small=200000
 if [ -n "$quick" ]; then
     numbers="10000 30000 100000"
@@ -57,6 +58,10 @@ for n in $numbers; do
     fi
     packed power min=1 max=10 exponent=-3 fraction=0.4 count="$n" velocity=1
     point particles 10
+    packed power min=1 max=1.2 fraction=0.2 count="$n" velocity=1
+    point gas 1
+    packed power min=1 max=1.2 fraction=0.55 count="$n" walls=hard velocity=1
+    point bed 1 box.periodic=false
 done
 
 # the boulder's top is 10 above the floor of the cube; spheres that it would overlap are left out
@@ -113,7 +118,7 @@ awk '
     END {
         printf "{\"summary\": true, \"threads\": %d, \"seconds\": %.6g, \"particles\": %d, \"ns_per_particle\": %.6g", threads, slowest, largest,
             1e9 * slowest / largest
-        n = split("particles boulder spread", name, " ")
+        n = split("particles gas bed boulder spread", name, " ")
         for (k = 1; k <= n; k++)
             printf ", \"%s_time\": %.3g, \"%s_memory\": %.3g", name[k], most[name[k]] / least[name[k]], name[k], much[name[k]] / little[name[k]]
         print "}"

@@ -263,7 +263,7 @@ GP
 
 growth() {
     printf '\n## Growth\n\n'
-    echo 'Nanoseconds a particle and step (rebuilds included) and bytes a particle: with the number of particles (radii 1 to 10), with the radius of one boulder among equal'
+    echo 'Nanoseconds a particle and step (rebuilds included) and bytes a particle: with the number of particles (a packing of radii 1 to 10, a gas, a bed), with the radius of one boulder among equal'
     echo 'spheres, and with the spread of sizes at fixed number. In the last table the largest of a series over its least; needed: 2 in time, memory proportional to particles.'
     echo 'What threads cost shows with few particles, where one alone may be faster (`THREADS=1 examples/bench/growth.sh`), and so does the room that each of them keeps.'
     echo

@@ -1,5 +1,5 @@
 # Read before the program of a case: the curves of other codes, and how a verdict is printed. Variables: name (the case), count,
-# step, folder (of the curves), costs (a file of two lines: steps seconds cores updates_a_core_second; revision dt cpu).
+# step, folder (of the curves), costs (a file of two lines: steps seconds cores updates_a_core_second time_reached; revision dt cpu).
 
 # curve CODE: reads folder/FILE-CODE.csv; its columns are seen as curve[code, column, row], its times as curve[code, 1, row], its rows as rows[code]
 function curve_read(file, code, line, part, k, n, path) {
@@ -63,7 +63,7 @@ function columns_find(k) {
     }
 }
 
-# The last line of a case; result and reference are numbers or null, more is text with further members, or empty
+# The last line of a case, with the share of its time that was timed if a run was killed between; result and reference are numbers or null, more is text with further members, or empty
 function verdict_print(result, reference, more, passed, line, cost, what) {
     getline line < costs
     split(line, cost, " ")
@@ -72,6 +72,7 @@ function verdict_print(result, reference, more, passed, line, cost, what) {
     sub(/^[^ ]+ [^ ]+ /, "", what)
     printf "{\"case\": \"%s\", \"particles\": %d, \"steps\": %d, \"seconds\": %.6g, \"cores\": %d, \"updates_per_core_second\": %.4g, ", name, count + (name ~ /^impact/),
         cost[1], cost[2], cost[3], cost[4]
+    if (cost[1] * machine[2] < 0.999 * cost[5]) printf "\"timed\": %.3f, ", cost[1] * machine[2] / cost[5]
     printf "\"result\": %s, \"reference\": %s, %s\"step\": \"%s\", \"dt\": %.4g, \"revision\": \"%s\", \"cpu\": \"%s\", \"passed\": %s}\n", result, reference,
         more == "" ? "" : more ", ", step, machine[2], machine[1], what, passed ? "true" : "false"
 }

@@ -1,4 +1,4 @@
-# Updates a second of a core, or of a graphics card, by case and code; variables: work (folder with points-CODE), picture
+# Updates a second of a core, or of a graphics card, by case and code; variables: work (folder with points-CODE), cases, picture
 set terminal svg size 900,480 font "sans,14" background "white"
 set output picture
 set datafile separator "\t"
@@ -6,7 +6,6 @@ set grid y lc rgb "#dddddd"
 set key outside bottom center horizontal
 set logscale y
 set ylabel "million updates a second"
-cases = "impact25 impact50 impact100 silo-large-m1 silo-small-m1 silo-large-m2 silo-small-m2 drum"
 at(name) = 0 + sum [k = 1:words(cases)] (word(cases, k) eq name ? k : 0)
 set xrange [0.5:words(cases) + 0.5]
 set yrange [0.05:2000]

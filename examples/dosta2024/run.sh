@@ -1,12 +1,13 @@
 #!/bin/sh
 # SPDX-License-Identifier: BSD-3-Clause
 # A case of Dosta et al., Comput. Phys. Commun. 296 (2024) 109066, beside the curves of other codes:
-#     run.sh CASE [--short] [--step published|safe|solver] [DIR]
+#     run.sh CASE [--short] [--step published|safe|soft|solver] [DIR]
 # CASE: impact25 impact50 impact100 silo-large-m1 silo-small-m1 silo-large-m2 silo-small-m2 drum
 #
 # Prints JSON lines; the last holds the result, the reference, and whether the run passed; the exit status is then 0 or 1. Draws DIR/CASE.svg.
 # A run that was stopped goes on from its last checkpoint when the same command is given again, and a run after its --short from there.
 # --short: impacts 32 ms, silos 0.3 s, the drum 0.5 s. --step safe: the longest step that `scree check` calls stable, times 0.9;
+# soft: the same, with grains of a hundredth of the modulus, so that steps are six times longer (not for impacts, whose ball would crush the beads);
 # solver: steps of 0.1 ms (impacts 20 us) by the solver of contacts, the same law and moduli.
 # BED: the published initial state of an impact or a silo, instead of a bed that the script pours. SEEDS: impacts with so many
 # places of the ball, 0.1 mm apart. DURATION, FILL: other simulated seconds of the run and of the pouring. SCREE_RANKS, SCREE_ARGS:
@@ -17,7 +18,7 @@ here=$(cd "$(dirname "$0")" && pwd)
 export LC_ALL=C
 cases="impact25 impact50 impact100 silo-large-m1 silo-small-m1 silo-large-m2 silo-small-m2 drum"
 wrong_call() {
-    echo "usage: run.sh CASE [--short] [--step published|safe|solver] [DIR]; CASE is one of $cases" >&2
+    echo "usage: run.sh CASE [--short] [--step published|safe|soft|solver] [DIR]; CASE is one of $cases" >&2
     exit 2
 }
 
@@ -37,7 +38,14 @@ while [ $# -gt 0 ]; do
     esac
     shift
 done
-case $step in published | safe | solver) ;; *) wrong_call ;; esac
+case $step,$case_name in
+soft,impact*)
+    echo "run.sh: --step soft is for silos and the drum: beads of a hundredth of the modulus would be crushed by the ball" >&2
+    exit 2
+    ;;
+published,* | safe,* | soft,* | solver,*) ;;
+*) wrong_call ;;
+esac
 test -n "$out" || out=$(results "out-$case_name")
 mkdir -p "$out"
 out=$(cd "$out" && pwd)
@@ -46,23 +54,23 @@ out=$(cd "$out" && pwd)
 bed_source() { echo "{name: bed, file: '$1', format: h5md, material: $grain}"; }
 
 # What the cases differ in. The arguments of a run are the parameters of the shell, as they have spaces.
-solver_step=1e-4 fill=0 bed=
+solver_step=1e-4 fill=0 rest=0.02 thick=0.11 bed= soft=
 case $case_name in
 impact*)
     thousand=${case_name#impact}
-    count=${thousand}000 scene=$here/../penetration/scene.yaml grain=glass solver_step=2e-5
+    count=${thousand}000 scene=$here/../penetration/scene.yaml grain=glass solver_step=2e-5 soft="--set materials[glass].young=1e7"
     duration=0.1
     test -z "$short" || duration=0.032
     set -- --set "particles.sources[ball].id=$((count + 1))" --set output.trajectory.every=0 \
         --set "observables.list=[{name: position, label: ball, id: $((count + 1)), components: z}, {name: velocity, label: ball, id: $((count + 1)), components: z}]"
     if [ "$thousand" != 25 ]; then
-        fill=0.15 solid=0.5
+        fill=0.25 thick=0.028 solid=0.5
         bed="{name: bed, from: packed, count: $count, sizes: 1 mm, material: glass, region: {shape: box, lower: [-0.049, -0.03, -0.0902431], upper: [0.049, 0.03, $(
             awk -v n=$count -v f=$solid 'BEGIN { printf "%.6f", -0.0902431 + n * 4.18879e-9 / f / (0.098 * 0.06) }')]}}"
     fi
     ;;
 silo*)
-    count=100000 scene=$here/silo.yaml grain=grain fill=0.12
+    count=100000 scene=$here/silo.yaml grain=grain fill=0.25 soft="--set materials[grain].young=1e7"
     duration=5
     test -z "$short" || duration=0.3
     set --
@@ -82,11 +90,12 @@ silo*)
     *m2)
         set -- "$@" --set materials[grain].density=2000 --set materials[grain].young=5e8 --set 'material_pairs[grain, grain].restitution=0.4' \
             --set 'material_pairs[grain, grain].friction=0.4' --set step.dt=2e-6 --set step.force=true
+        soft="--set materials[grain].young=5e6"
         ;;
     esac
     ;;
 drum)
-    count=38000 scene=$here/../drum/scene.yaml
+    count=38000 scene=$here/../drum/scene.yaml soft="--set materials[m1].young=1e7 --set materials[m2].young=5e6"
     duration=5
     test -z "$short" || duration=0.5
     set -- --set output.trajectory.every=0
@@ -99,7 +108,9 @@ solver="--set contact.solver=gauss_seidel --set contact.solver.sweeps=30"
 # shellcheck disable=SC2086
 scree_run() { on_ranks "${SCREE_RANKS:-1}" "$SCREE" run "$@" ${SCREE_ARGS:-} >&2; }
 
-# pour ARGUMENT...: the bed that DIR/bed/trajectory.h5 holds, if the case has one that is not published with these examples
+# pour ARGUMENT...: the bed that DIR/bed/trajectory.h5 holds, if the case has one that is not published with these examples. Grains of a
+# hundredth of the modulus sink at 0.2 m/s through a viscous fluid, as they would bounce without; then a solver of contacts, by the law and the
+# moduli of the case, takes the overlaps that these left.
 pour() {
     if [ -n "${BED:-}" ]; then
         { echo radius x y z; tr -d '\r' <"$BED" | awk 'NF == 4 && $1 + 0 > 0 { print $1, $2, $3, $4 } NF == 3 && $1 == $1 + 0 { print 0.002, $1, $2, $3 }'; } >"$out/bed.txt"
@@ -110,40 +121,50 @@ pour() {
     bed_source=$(bed_source "$out/bed/trajectory.h5")
     ! grep -q "\"simulated\": $fill," "$out/bed.json" 2>/dev/null || { cat "$out/bed.json"; return; }
     echo "pouring the bed: $fill s" >&2
-    test -z "$bed" || set -- "$@" --set "particles.sources=[$bed]"
-    # shellcheck disable=SC2086
-    scree_run "$scene" -o "$out/bed" --overwrite "$@" $solver --set 'step.dt=~' --set step.fraction=0.4 --set contact.solver.tolerance=1e-3 --set duration="$fill" --set guards.residual=off \
-        --set "output.trajectory.every={time: $fill}" --set output.checkpoint.at_end=false \
+    set -- "$@" --set 'step.dt=~' --set output.checkpoint.at_end=false \
         --set 'observables.list=[{name: energy_kinetic_mean}, {name: particles}, {name: largest, of: z, unit: m, label: top}]'
+    # shellcheck disable=SC2086
+    scree_run "$scene" -o "$out/fall" --overwrite "$@" $soft --set "drag={law: stokes, fluid: {density: 1, viscosity: $thick}}" --set step.fraction=0.9 --set duration="$fill" --set "output.trajectory.every={time: $fill}" \
+        ${bed:+--set} ${bed:+"particles.sources=[$bed]"}
+    # shellcheck disable=SC2086
+    scree_run "$scene" -o "$out/bed" --overwrite "$@" $solver --set step.fraction=0.4 --set contact.solver.tolerance=1e-3 --set duration=$rest --set guards.residual=off \
+        --set "output.trajectory.every={time: $rest}" --set "particles.sources=[$(bed_source "$out/fall/trajectory.h5")]"
     printf '{"bed": "poured", "particles": %d, "seconds": %.4g, "simulated": %s, "top": %.5f, "mean_kinetic_energy": %.3g}\n' \
-        "$(report_number "$out/bed" particles)" "$(report_number "$out/bed" seconds)" "$fill" \
+        "$(report_number "$out/bed" particles)" "$(awk -v a="$(report_number "$out/fall" seconds)" -v b="$(report_number "$out/bed" seconds)" 'BEGIN { print a + b }')" "$fill" \
         "$("$SCREE" info "$out/bed" --column top --row last)" "$("$SCREE" info "$out/bed" --column energy_kinetic_mean --row last)" | tee "$out/bed.json"
 }
+
+# ended: has the run come to its end?
+ended() { test -s "$run/report.json" && awk -v t="$(report_number "$run" time)" -v end="$duration" 'BEGIN { exit t < end * (1 - 1e-6) }'; }
 
 # advance FOLDER ARGUMENT...: the run, from its last checkpoint if it has one; its steps, seconds, updates go to FOLDER/segments
 advance() {
     run=$out/$1
     shift
     how=--overwrite
-    if [ -e "$run/segments" ] && [ "$(cat "$run/settings")" = "$step ${SCREE_RANKS:-1} ${SCREE_ARGS:-}" ] && ls "$run"/checkpoint-*.h5 >/dev/null 2>&1; then
+    settings="$case_name $step" # ranks, threads and SCREE_ARGS may be others than before
+    if [ "$(cat "$run/settings" 2>/dev/null)" = "$settings" ] && ls "$run"/checkpoint-*.h5 >/dev/null 2>&1; then
         how='--resume last'
+        ! ended || return 0
     else
         mkdir -p "$run"
-        rm -f "$run/segments"
+        rm -f "$run/segments" "$run"/checkpoint-*.h5
+        echo "$settings" >"$run/settings"
     fi
+    touch "$run/segments"
     rm -f "$run/report.json"
-    echo "$step ${SCREE_RANKS:-1} ${SCREE_ARGS:-}" >"$run/settings"
+    # shellcheck disable=SC2086
     case $step in
     safe) set -- "$@" --set 'step.dt=~' --set step.fraction=0.9 ;;
-    solver) set -- "$@" --set step.dt=$solver_step ;;
+    soft) set -- "$@" --set 'step.dt=~' --set step.fraction=0.9 $soft ;;
+    solver) set -- "$@" --set step.dt=$solver_step $solver ;;
     esac
     # shellcheck disable=SC2086
-    test $step != solver || set -- "$@" $solver
-    # shellcheck disable=SC2086
-    scree_run "$scene" -o "$run" $how "$@" --set duration="$duration" --set output.checkpoint.minutes=10
+    scree_run "$scene" -o "$run" $how "$@" --set duration="$duration" --set output.checkpoint.minutes=10 || failed=$?
+    test -s "$run/report.json" || exit "${failed:-1}"
     printf '%s %s %s %s %s\n' "$(report_number "$run" steps)" "$(report_number "$run" seconds)" "$(report_number "$run" particle_steps_per_second)" \
         "$(report_number "$run" ranks)" "$(report_number "$run" threads)" >>"$run/segments"
-    awk -v t="$(report_number "$run" time)" -v end="$duration" 'BEGIN { exit !(t < end * (1 - 1e-6)) }' || return 0
+    ! ended || return 0
     echo "stopped at $(report_number "$run" time) s; the same command goes on from there" >&2
     exit 3
 }
@@ -152,8 +173,8 @@ advance() {
 verdict() {
     run=$out/$1
     {
-        awk '{ steps += $1; seconds += $2; updates += $2 * $3; cores = $4 * $5 }
-            END { speed = seconds > 0 ? updates / seconds / cores : 0; printf "%d %.6g %d %.6g\n", steps, seconds, cores, speed }' "$run/segments"
+        awk -v time="$(report_number "$run" time)" '{ steps += $1; seconds += $2; updates += $2 * $3; cores = $4 * $5; spent += $2 * cores }
+            END { speed = spent > 0 ? updates / spent : 0; printf "%d %.6g %d %.6g %.6g\n", steps, seconds, cores, speed, time }' "$run/segments"
         printf '%s %s %s\n' "$(report_number "$run" git_revision)" "$(report_number "$run" dt)" "$(report_number "$run" cpu | tr -d '"')"
     } >"$run/costs"
     awk -F, -v name="$case_name" -v count="$count" -v step="$step" -v costs="$run/costs" -v folder="$here/curves" \

@@ -12,7 +12,7 @@ mkdir -p docs
 check 'docs/benchmarks.md is what page.sh draws from the rows' eval 'sh "$dosta/page.sh" docs && { ! command -v gnuplot >/dev/null || cmp docs/benchmarks.md "$top_srcdir/docs/benchmarks.md"; }'
 
 # judge CASE COUNT PROGRAM: the verdict on o.csv
-printf '10 1 2 1e6\nabc 5e-7 a cpu\n' >costs
+printf '10 1 2 1e6 5e-6\nabc 5e-7 a cpu\n' >costs
 judge() { awk -F, -v name="$1" -v count="$2" -v step=published -v costs=costs -v folder="$dosta/curves" -f "$dosta/curves.awk" -f "$dosta/$3.awk" o.csv; }
 # theirs CASE CODE HEAD FACTOR: a curve of another code, times a factor, as if it were a run of this one
 theirs() { { echo "$3"; grep -v '^[#t]' "$dosta/curves/$1-$2.csv" | awk -F, -v OFS=, -v f="$4" '{ for (k = 2; k <= NF; k++) $k *= f } 1'; } >o.csv; }
@@ -36,16 +36,33 @@ row() {
         awk -v short= -v load=0.1 -v when=2026-01 -f "$dosta/row.awk" | awk -F'\t' '{ print } NF != 12 || $2 != "scree" || $9 != 2e6 || $10 != 24188.7 { exit 1 }'
 }
 check 'a verdict becomes a row' row
+seeds() { # two runs of an impact: their mean, its spread, the row; a run of which a part was not timed has no seconds in its row
+    {
+        theirs impact25 musen 'time[s],ball_z[m]' 1 && judge impact25 25000 impact
+        theirs impact25 musen 'time[s],ball_z[m]' 1.001 && judge impact25 25000 impact
+    } >verdicts
+    awk -f "$dosta/seeds.awk" verdicts | awk -v short= -v load=0.1 -v when=2026-01 -f "$dosta/row.awk" |
+        awk -F'\t' '{ print } NF != 12 || $3 !~ /, mean of 2 seeds$/ || $7 != 10 || $8 != 1 || $10 != "-0.13809+-0.00010" { exit 1 }' >said &&
+        printf '10 1 2 1e6 2e-5\nabc 5e-7 a cpu\n' >costs &&
+        judge impact25 25000 impact | awk -v short= -v load=0.1 -v when=2026-01 -f "$dosta/row.awk" | awk -F'\t' '{ print } $8 != "-" { exit 1 }' >>said || { cat verdicts said; return 1; }
+}
+check 'so do those of several seeds' seeds
 
-case_of() { # STEPS-TIME: a tiny run of impact25; a verdict that did not pass is no failure here
+case_of() { # TIME STEPS [TIMED]: a tiny run of impact25; a verdict that did not pass is no failure here
     DURATION=$1 SCREE=$scree SCREE_ARGS='--quiet --set threads=1' "$dosta/run.sh" impact25 "$out/impact" >lines 2>said
-    [ $? = 1 ] && tail -n 1 lines | grep -qE '"case": "impact25", "particles": 25001, "steps": '"$2"', "seconds": [0-9.e-]+, "cores": 1, "updates_per_core_second": [0-9.e+]+, "result": [-0-9.]+, "reference": [-0-9.]+, .*"passed": false}$' ||
+    [ $? = 1 ] && tail -n 1 lines | grep -qE '"case": "impact25", "particles": 25001, "steps": '"$2"', "seconds": [0-9.e-]+, "cores": 1, "updates_per_core_second": [0-9.e+]+, '"${3:-}"'"result": [-0-9.]+, "reference": [-0-9.]+, .*"passed": false}$' ||
         { cat said lines; return 1; }
 }
 check 'a case runs, and its last line has what others read' case_of 1e-5 20
+check 'one that is done is not run again' case_of 1e-5 20
 check 'the same command goes on from there' case_of 2e-5 40
+rm impact/run/segments # as if the machine had died before the script could note the steps and their seconds
+check 'a run that was killed goes on from its checkpoint, and says what was timed' case_of 3e-5 20 '"timed": 0.333, '
 wrong() { "$dosta/run.sh" "$@" >said 2>&1; [ $? = 2 ] && grep -q '^usage: run.sh CASE' said; }
 check 'a case that is not there is refused, with the names' eval 'wrong impact26 && wrong impact25 --step long && wrong'
+
+soft_ball() { "$dosta/run.sh" impact25 --step soft "$out/soft" >said 2>&1; [ $? = 2 ] && grep -q 'silos and the drum' said && [ ! -e "$out/soft" ]; }
+check 'an impact of soft beads is refused' soft_ball
 
 lammps() { SCREE=$scree SCREE_RANKS=$1 SCREE_ARGS=$2 "$top_srcdir/examples/lammps/check" "$out/lammps" >lines 2>said || { cat said lines; return 1; }; }
 check "LAMMPS's examples: its forces and places" lammps 1 '--set threads=2'
