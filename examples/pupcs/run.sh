@@ -19,7 +19,7 @@ section() {
 
 \`examples/pupcs/run.sh\` writes this section. The scenarios are those of Eibl and Rüde's Table 1, with the share of one process on each core; the
 table has millions of particle updates per core and second. \`sparse\` and \`large\` are for timing only (a contact lasts 5 steps, and more than 15
-steps); in \`sparse-physical\` a contact lasts 20 steps. The columns of waLBerla are medians of its pe engine with soft contacts on two ranks of a
+steps); in \`sparse-physical\` a contact lasts 20 steps. The scenarios \`-hard\` have rigid contacts and ten sweeps a step, as the paper's have. The columns of waLBerla are medians of its pe engine with soft contacts on two ranks of a
 machine of the same kind; in \`large\` the results of waLBerla's next-neighbour synchronisation are wrong.
 
 | scenario | ranks x threads | neighbours | shadow | shadow / neighbours | waLBerla, neighbours | shadow | ratio |
@@ -61,9 +61,18 @@ one_run() {
 }
 
 : >"$out/lines.jsonl"
-for scenario in ${SCENARIOS:-sparse sparse-physical dense large}; do
+for scenario in ${SCENARIOS:-sparse sparse-physical dense large sparse-hard dense-hard large-hard}; do
     case $scenario in
     sparse-physical) scene=sparse more='--set step.dt=0.25' ;;
+    *-hard) # ten sweeps a step, which moves a grain by up to some eighth of its radius
+        scene=${scenario%-hard} more='--set contact.law=rigid --set contact.solver.sweeps=10 --set contact.solver.tolerance=0'
+        case $scene in
+        sparse) more="$more --set step.dt=0.1 --set skin=null --set material_pairs[0].restitution=0.9" ;;
+        dense) more="$more --set step.dt=0.01" ;;
+        large) more="$more --set material_pairs[0].restitution=0.9" ;;
+        esac
+        more="$more --set material_pairs[0].k_n=null"
+        ;;
     *) scene=$scenario more= ;;
     esac
     for layout in "$@"; do

@@ -1,9 +1,10 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
-/* `scree ablate`: one scene over indexes, threads and newton settings; a table of stage times, pairs and
- * memory. */
+/* `scree ablate`: one scene over indexes, threads, newton settings and values of any of its keys; a table of stage times,
+ * pairs, memory, and of what the solver of contacts did. */
 #include "front/program/commands.h"
 #include "front/program/ablate_error.h"
 #include "front/program/ablate_run.h"
+#include "front/program/ablate_table.h"
 #include "front/program/trial.h"
 #include "kernel/comm/cores.h"
 #include "base/memory.h"
@@ -12,33 +13,15 @@
 #include <string.h>
 #include <unistd.h>
 
-enum { WORDS_MAX = 32, WORD_MAX = 64 };
-
-/* A comma-separated list, cut into words. */
-struct words {
-    int count;
-    char word[WORDS_MAX][WORD_MAX];
-};
-
-static bool words_cut(struct words *words, const char *text, const char *flag, struct error *error) {
-    words->count = 0;
-    while (*text) {
-        size_t length = strcspn(text, ",");
-        if (length == 0 || length >= WORD_MAX || words->count == WORDS_MAX)
-            return error_set(error, ERROR_USER,
-                             "command line: --%s: '%s' is no list of words separated by commas", flag, text);
-        snprintf(words->word[words->count++], WORD_MAX, "%.*s", (int)length, text);
-        text += length;
-        text += *text == ',';
-    }
-    return words->count > 0 || error_set(error, ERROR_USER, "command line: --%s: an empty list", flag);
-}
+/* The axes; those of --vary stand behind. */
+enum { INDEX, NEWTON, THREADS, VARIED };
 
 struct variants {
-    struct words index, threads, newton;
-    char steps[WORD_MAX];
+    int axes;
+    struct axis axis[AXES_MAX];
+    char steps[AXIS_TEXT_MAX];
     uint64_t count;           /* steps of each run */
-    int runs, done;           /* runs of all variants */
+    int runs, done, taken;    /* runs of all variants; those begun, and those with a result */
     bool brute_asked;         /* the command line names brute force, so brute force runs at any cost */
     double slowest, rebuilds; /* of the runs so far: seconds, and rebuilds of the last */
     double brute_pair;        /* seconds of brute force for a pair, from the trial */
@@ -53,104 +36,76 @@ static bool is_brute(const char *index) {
 }
 
 /* Puts brute force last in the list, so that the other runs predict its cost. */
-static void brute_last(struct words *index) {
+static void brute_last(struct axis *index) {
     int kept = 0, brutes = 0;
     for (int k = 0; k < index->count; k++) {
-        if (is_brute(index->word[k]))
+        if (is_brute(index->value[k]))
             brutes++;
         else if (kept++ < k)
-            memcpy(index->word[kept - 1], index->word[k], WORD_MAX);
+            memcpy(index->value[kept - 1], index->value[k], AXIS_TEXT_MAX);
     }
     for (int k = 0; k < brutes; k++)
-        strcpy(index->word[kept + k], "brute");
+        strcpy(index->value[kept + k], "brute");
 }
 
-/* Reads the variants. Machines of different size would list different threads, so all ranks use the list of
- * rank 0. Collective. */
-static bool variants_read(const struct comm *comm, struct variants *v, const struct command_line *line,
-                          struct error *error) {
-    int threads_most = cores_threads(comm);
-    comm_broadcast(comm, &threads_most, sizeof threads_most);
-    *v = (struct variants){0};
-    for (int k = 0; k < index_registry_count() && k < WORDS_MAX; k++)
-        snprintf(v->index.word[v->index.count++], WORD_MAX, "%s", index_registry_get(k)->name);
-    for (int t = 1; t <= threads_most && v->threads.count < WORDS_MAX; t *= 2)
-        snprintf(v->threads.word[v->threads.count++], WORD_MAX, "%d", t);
-    strcpy(v->newton.word[v->newton.count++], "on");
-    strcpy(v->newton.word[v->newton.count++], "off");
-    if ((line->list[ABLATE_INDEX] && !words_cut(&v->index, line->list[ABLATE_INDEX], "index", error)) ||
-        (line->list[ABLATE_THREADS] &&
-         !words_cut(&v->threads, line->list[ABLATE_THREADS], "threads", error)) ||
-        (line->list[ABLATE_NEWTON] && !words_cut(&v->newton, line->list[ABLATE_NEWTON], "newton", error)))
-        return false;
-    brute_last(&v->index);
-    v->brute_asked = line->list[ABLATE_INDEX] != NULL;
-    v->runs = v->index.count * v->newton.count * v->threads.count;
-    for (int k = 0; k < v->index.count; k++)
-        if (index_registry_find(v->index.word[k]) == NULL)
+/* The values of the first axes where neither their flags nor --vary are given. Machines of different size would list different
+ * threads, so all ranks use the list of rank 0. Collective. */
+static void variants_default(const struct comm *comm, struct variants *v) {
+    struct axis *index = &v->axis[INDEX], *threads = &v->axis[THREADS], *newton = &v->axis[NEWTON];
+    int most = cores_threads(comm);
+    comm_broadcast(comm, &most, sizeof most);
+    for (int k = 0; k < index_registry_count() && k < AXIS_VALUES_MAX; k++)
+        snprintf(index->value[index->count++], AXIS_TEXT_MAX, "%s", index_registry_get(k)->name);
+    for (int t = 1; t <= most && threads->count < AXIS_VALUES_MAX; t *= 2)
+        snprintf(threads->value[threads->count++], AXIS_TEXT_MAX, "%d", t);
+    strcpy(newton->value[newton->count++], "on");
+    strcpy(newton->value[newton->count++], "off");
+}
+
+static bool index_known(const struct axis *index, struct error *error) {
+    for (int k = 0; k < index->count; k++)
+        if (index_registry_find(index->value[k]) == NULL)
             return error_set(
                 error, ERROR_USER,
                 "command line: --index: there is no index '%s' (scree help index.name lists them)",
-                v->index.word[k]);
-    if (line->list[ABLATE_STEPS])
-        snprintf(v->steps, sizeof v->steps, "%s", line->list[ABLATE_STEPS]);
+                index->value[k]);
     return true;
 }
 
-/* The columns of the table behind index and newton: name, row of the report, format. */
-static const struct {
-    const char *name, *row, *format;
-} columns[] = {{"ranks", "ranks", ",%.0f"},
-               {"threads", "threads", ",%.0f"},
-               {"particles", "particles", ",%.0f"},
-               {"steps", "steps", ",%.0f"},
-               {"seconds", "seconds", ",%.6g"},
-               {"particle_steps_per_second", "particle_steps_per_second", ",%.6g"},
-               {"pairs", "pairs", ",%.0f"},
-               {"contacts", "contacts", ",%.0f"},
-               {"rebuilds", "rebuilds", ",%.0f"},
-               {"bytes_per_particle", "bytes_per_particle", ",%.1f"},
-               {"peak_bytes", "memory_counted", ",%.0f"}};
-enum { COLUMNS = sizeof columns / sizeof columns[0] };
-
-static void table_head(FILE *table, const struct timers *timers) {
-    fprintf(table, "index,newton");
-    for (int c = 0; c < COLUMNS; c++)
-        fprintf(table, ",%s", columns[c].name);
-    for (int k = 0; k < timers->stages; k++)
-        fprintf(table, ",%s[s]", timers->stage[k].name);
-    fprintf(table, "\n");
-    fflush(table);
-}
-
-static const char *newton_word(const struct report *r) {
-    return report_number(r, "newton") != 0 ? "on" : "off";
-}
-
-static void table_row(FILE *table, const struct report *r) {
-    const struct report_table *stages = report_list(r, "stages");
-    fprintf(table, "%s,%s", report_text(r, "index"), newton_word(r));
-    for (int c = 0; c < COLUMNS; c++)
-        fprintf(table, columns[c].format, report_number(r, columns[c].row));
-    for (int k = 0; k < stages->entries; k++)
-        fprintf(table, ",%.6g", report_list_number(stages, k, "mean"));
-    fprintf(table, "\n");
-    fflush(table);
-}
-
-static void print_row(const struct report *r) {
-    printf("  %-10s %-6s %7.0f %10.4f s %10.2f M/s %12.0f pairs  rebuild %.4f s  %.0f bytes/particle\n",
-           report_text(r, "index"), newton_word(r), report_number(r, "threads"), report_number(r, "seconds"),
-           1e-6 * report_number(r, "particle_steps_per_second"), report_number(r, "pairs"),
-           report_number(r, "seconds_rebuild"), report_number(r, "bytes_per_particle"));
-    fflush(stdout);
+/* Reads the variants. Collective. */
+static bool variants_read(const struct comm *comm, struct variants *v, const struct command_line *line,
+                          struct error *error) {
+    static const struct {
+        const char *key, *flag;
+        int list;
+    } first[VARIED] = {[INDEX] = {"index.name", "index", ABLATE_INDEX},
+                       [NEWTON] = {"newton", "newton", ABLATE_NEWTON},
+                       [THREADS] = {"threads", "threads", ABLATE_THREADS}};
+    *v = (struct variants){.axes = VARIED + line->varied};
+    if (line->varied == 0)
+        variants_default(comm, v);
+    for (int k = 0; k < VARIED; k++) {
+        snprintf(v->axis[k].key, sizeof v->axis[k].key, "%s", first[k].key);
+        const char *list = line->list[first[k].list];
+        if (list && !axis_cut(&v->axis[k], first[k].key, list, first[k].flag, error))
+            return false;
+    }
+    for (int k = 0; k < line->varied; k++)
+        if (!axis_cut_setting(&v->axis[VARIED + k], line->vary[k], "vary", error))
+            return false;
+    brute_last(&v->axis[INDEX]);
+    v->brute_asked = line->list[ABLATE_INDEX] != NULL;
+    v->runs = axis_runs(v->axis, v->axes);
+    if (line->list[ABLATE_STEPS])
+        snprintf(v->steps, sizeof v->steps, "%s", line->list[ABLATE_STEPS]);
+    return index_known(&v->axis[INDEX], error);
 }
 
 /* One run of the scene with these settings. */
 static bool variant_run(const struct comm *comm, const struct command_line *line, const char *const *setting,
                         int settings, const struct progress_series *series, struct report *report,
                         struct error *error) {
-    struct scene_setting extra[8];
+    struct scene_setting extra[AXES_MAX + 2];
     struct ablate_options options = {.series = series};
     for (int k = 0; k < settings; k++)
         extra[k].text = setting[k];
@@ -184,73 +139,99 @@ static bool brute_skipped(const struct comm *comm, const struct variants *v, uin
     return true;
 }
 
-static void row_take(const struct comm *comm, struct variants *v, struct report *report, FILE *table) {
-    if (comm->rank == 0) {
-        table_row(table, report);
-        print_row(report);
-    }
+static void row_take(const struct comm *comm, struct variants *v, const int at[AXES_MAX],
+                     struct report *report, const struct ablate_tables *tables) {
+    if (comm->rank == 0)
+        ablate_tables_row(tables, at + VARIED, report);
     double seconds = report_number(report, "seconds");
     v->slowest = seconds > v->slowest ? seconds : v->slowest;
     v->rebuilds = report_number(report, "rebuilds");
+    v->taken++;
     report_destroy(report);
 }
 
-/* A run of index i, newton setting n and thread count t. An index that cannot serve the scene is left out. */
+/* The settings of a run, and their words for people. */
+struct variant_settings {
+    int count;
+    const char *setting[AXES_MAX + 2];
+    char text[AXES_MAX + 1][AXIS_SETTING_MAX];
+    char name[AXES_MAX * AXIS_SETTING_MAX];
+};
+
+static void settings_make(const struct variants *v, const int at[AXES_MAX], struct variant_settings *s) {
+    s->count = 0;
+    s->name[0] = '\0';
+    for (int k = 0; k < v->axes; k++) {
+        size_t used = strlen(s->name);
+        if (at[k] < 0)
+            continue;
+        axis_setting(&v->axis[k], at[k], s->text[k]);
+        s->setting[s->count++] = s->text[k];
+        snprintf(s->name + used, sizeof s->name - used, "%s%s %s", used ? ", " : "", v->axis[k].key,
+                 v->axis[k].value[at[k]]);
+    }
+    if (v->steps[0] == '\0')
+        return;
+    snprintf(s->text[v->axes], AXIS_SETTING_MAX, "step.count=%s", v->steps);
+    s->setting[s->count++] = "duration=0";
+    s->setting[s->count++] = s->text[v->axes];
+}
+
+/* True if a run without a result is no error of the whole: an index that cannot serve the scene, or a value of --vary that the
+ * scene refuses or a guard stops. */
+static bool left_out(const struct variants *v, const struct error *why) {
+    return v->axes > VARIED ? why->kind == ERROR_USER || why->kind == ERROR_PHYSICS
+                            : why->kind == ERROR_USER && strstr(why->text, "cannot serve") != NULL;
+}
+
+/* A run with these values of the axes. */
 static bool variant_take(const struct comm *comm, const struct command_line *line, struct variants *v,
-                         const int at[3], FILE *table, struct error *error) {
-    const char *index = v->index.word[at[0]], *newton = v->newton.word[at[1]],
-               *threads = v->threads.word[at[2]];
-    char text[4][WORD_MAX + 32], name[3 * WORD_MAX];
-    const char *setting[] = {text[0], text[1], text[2], "duration=0", text[3]};
-    struct progress_series series = {
-        .name = name, .number = v->done, .runs = v->runs, .after = v->runs - v->done};
+                         const int at[AXES_MAX], const struct ablate_tables *tables, struct error *error) {
+    struct variant_settings s;
     struct report report;
     struct error why = {0};
-    snprintf(text[0], sizeof text[0], "index.name=%s", index);
-    snprintf(text[1], sizeof text[1], "threads=%s", threads);
-    snprintf(text[2], sizeof text[2], "newton=%s", newton);
-    snprintf(text[3], sizeof text[3], "step.count=%s", v->steps);
-    snprintf(name, sizeof name, "%s, newton %s, threads %s", index, newton, threads);
-    if (variant_run(comm, line, setting, v->steps[0] ? 5 : 3, &series, &report, &why)) {
-        row_take(comm, v, &report, table);
+    settings_make(v, at, &s);
+    struct progress_series series = {
+        .name = s.name, .number = v->done, .runs = v->runs, .after = v->runs - v->done};
+    if (variant_run(comm, line, s.setting, s.count, &series, &report, &why)) {
+        row_take(comm, v, at, &report, tables);
         return true;
     }
-    if (why.kind != ERROR_USER || strstr(why.text, "cannot serve") == NULL) {
+    if (!left_out(v, &why) || (v->done == v->runs && v->taken == 0)) {
         *error = why;
         return false;
     }
     if (comm->rank == 0)
-        printf("  %-10s %-6s %7s left out: %s\n", index, newton, threads, why.text);
+        printf("  %s: left out: %s\n", s.name, why.text);
     return true;
 }
 
 static bool variants_run(const struct comm *comm, const struct command_line *line, struct variants *v,
-                         uint64_t particles, FILE *table, struct error *error) {
+                         uint64_t particles, const struct ablate_tables *tables, struct error *error) {
     for (int k = 0; k < v->runs; k++) {
-        int at[3] = {k / (v->newton.count * v->threads.count), k / v->threads.count % v->newton.count,
-                     k % v->threads.count};
+        int at[AXES_MAX];
+        axis_places(v->axis, v->axes, k, at);
         v->done = k + 1;
-        if (is_brute(v->index.word[at[0]]) &&
-            brute_skipped(comm, v, particles, v->newton.word[at[1]], v->threads.word[at[2]]))
+        if (at[INDEX] >= 0 && is_brute(v->axis[INDEX].value[at[INDEX]]) &&
+            brute_skipped(comm, v, particles, at[NEWTON] >= 0 ? v->axis[NEWTON].value[at[NEWTON]] : "",
+                          at[THREADS] >= 0 ? v->axis[THREADS].value[at[THREADS]] : "1"))
             continue;
-        if (!variant_take(comm, line, v, at, table, error))
+        if (!variant_take(comm, line, v, at, tables, error))
             return false;
     }
     return true;
 }
 
-static void words_print(const char *what, const struct words *words) {
-    printf("; %s", what);
-    for (int k = 0; k < words->count; k++)
-        printf("%s %s", k ? "," : "", words->word[k]);
-}
-
 /* Prints the planned runs and their number, before the first run. */
 static void variants_print(const struct variants *v) {
     printf("%d runs", v->runs);
-    words_print("index", &v->index);
-    words_print("newton", &v->newton);
-    words_print("threads", &v->threads);
+    for (int k = 0; k < v->axes; k++) {
+        const struct axis *axis = &v->axis[k];
+        if (axis->count > 0)
+            printf("; %s", k == INDEX ? "index" : axis->key);
+        for (int n = 0; n < axis->count; n++)
+            printf("%s %s", n ? "," : "", axis->value[n]);
+    }
     printf("\n");
     fflush(stdout);
 }
@@ -258,7 +239,7 @@ static void variants_print(const struct variants *v) {
 /* Estimates the time of all runs by a trial, and checks that the comparison is useful. */
 static bool plan_try(const struct comm *comm, const struct command_line *line, struct variants *v,
                      struct trial *trial, struct error *error) {
-    char flag[WORD_MAX + 16] = "the scene's own length", each[32], all[32];
+    char flag[AXIS_TEXT_MAX + 16] = "the scene's own length", each[32], all[32];
     struct scene *scene = command_scene(comm, line, NULL, 0, error);
     bool good = scene && trial_run(comm, scene, trial, error);
     scene_free(&scene);
@@ -287,23 +268,18 @@ static bool plan_try(const struct comm *comm, const struct command_line *line, s
 
 static bool table_make(const struct comm *comm, const struct command_line *line, struct variants *v,
                        struct error *error) {
-    char path[FILE_PATH_MAX];
-    FILE *table = NULL;
+    struct ablate_tables tables = {.axis = v->axis + VARIED, .axes = v->axes - VARIED};
     struct trial trial;
     if (comm->rank == 0)
         variants_print(v);
     if (!plan_try(comm, line, v, &trial, error))
         return false;
-    snprintf(path, sizeof path, "%s/ablate.csv", line->directory);
-    if (comm->rank == 0 && (table = fopen(path, "w")) == NULL)
-        error_set_errno(error, "%s", path);
-    if (comm_agree(comm, error)) {
-        if (table)
-            table_head(table, &trial.timers);
-        variants_run(comm, line, v, trial.particles, table, error);
-    }
-    if (table && fclose(table) != 0)
-        error_set_errno(error, "%s", path);
+    tables.timers = trial.timers;
+    if (comm->rank == 0)
+        ablate_tables_open(&tables, line->directory, error);
+    if (comm_agree(comm, error))
+        variants_run(comm, line, v, trial.particles, &tables, error);
+    ablate_tables_close(&tables, line->directory, error);
     return error->kind == ERROR_NONE;
 }
 

@@ -2,7 +2,8 @@
 /* `scree ablate --error`: the time and the error of settings, for one scene.
  *
  *     probe       the scene's step and its limits
- *     reference   three runs at ever finer steps; the last is the reference, the others say how good it is
+ *     reference   three runs at ever finer steps; the last is the reference, the others say how good it is. Of a scene with
+ *                 contact.solver they are explicit runs at the largest modulus that is known
  *     spread      runs that differ by a tiny displacement at the start
  *     errors      each variant once, observed at the times of the reference
  *     combined    all settings that save time without error, together, with each step
@@ -27,9 +28,11 @@ struct study {
     const struct comm *comm;
     const struct command_line *line;
     struct variant_facts facts;
+    struct variant true_run; /* whose fine steps are the reference */
+    double true_dt;          /* its step */
     double duration;
     int samples, repeat, members;
-    double tolerance;
+    double tolerance, young; /* young: of --young; 0: not given */
     struct speed_reference reference;
     struct speed_row *row;
     int rows;
@@ -37,10 +40,19 @@ struct study {
     double steps, steps_all;
 };
 
+/* The scene with the keys that a variant sets. */
+static struct scene *variant_scene(const struct study *study, const struct variant *variant,
+                                   struct error *error) {
+    struct scene_setting setting[VARIANT_SETTINGS_MAX];
+    char text[VARIANT_SET_MAX];
+    int settings = variant_settings(variant, setting, text);
+    return command_scene(study->comm, study->line, setting, settings, error);
+}
+
 /* The scene with a variant's settings and a step, cut to the study's span. */
 static struct scene *study_scene(const struct study *study, const struct variant *variant, double dt,
                                  uint64_t *steps_each, struct error *error) {
-    struct scene *scene = command_scene(study->comm, study->line, NULL, 0, error);
+    struct scene *scene = variant_scene(study, variant, error);
     if (scene == NULL)
         return NULL;
     double factor = variant_apply(variant, &study->facts, scene), interval = study->duration / study->samples;
@@ -95,9 +107,10 @@ static bool study_reference(struct study *study, struct error *error) {
     struct speed_reference *reference = &study->reference;
     uint64_t steps;
     for (int k = 0; k < SPEED_FINE; k++) {
-        struct look look = {.variant = &as_it_is, .dt = study->facts.dt / (2 << k)};
+        struct look look = {.variant = &study->true_run, .dt = study->true_dt / (2 << k)};
         if (study->comm->rank == 0)
-            fprintf(stderr, "scree: reference %d of %d: dt = %.4g\n", k + 1, SPEED_FINE, look.dt);
+            fprintf(stderr, "scree: reference %d of %d: %s, dt = %.4g\n", k + 1, SPEED_FINE,
+                    study->true_run.settings, look.dt);
         if (!study_look(study, &look, &reference->fine[k], &reference->dt, &steps, error) ||
             (k == 0 && !speed_judge(reference, study->line->list[ABLATE_JUDGE], error)))
             return false;
@@ -142,23 +155,26 @@ static bool stopped_note(struct speed_row *row, const struct error *why, struct 
     return true;
 }
 
-/* The time step before the variant's own factor. If the stable step changes, the time step stays the same
- * part of the stable step. */
-static double step_of(const struct study *study, struct speed_row *row, struct error *error) {
-    row->stable = study->facts.stable;
-    if (!variant_scales_step(&row->variant))
+/* The time step of a variant before its own factor, and the stable step. With other keys it is that of the scene with them; if
+ * else the stable step changes, the time step stays the same part of it. NAN: error filled. */
+static double step_of(const struct study *study, const struct variant *variant, double *stable,
+                      struct error *error) {
+    *stable = study->facts.stable;
+    if (!variant_scales_step(variant))
         return study->facts.dt;
-    struct scene *scene = command_scene(study->comm, study->line, NULL, 0, error);
+    struct scene *scene = variant_scene(study, variant, error);
     if (scene == NULL)
         return NAN;
     struct variant_facts facts = {0};
-    variant_apply(&row->variant, &study->facts, scene);
-    scene->step.dt = 0;
-    scene->step.fraction = study->facts.dt / study->facts.stable;
+    variant_apply(variant, &study->facts, scene);
+    if (variant->set[0] == '\0') {
+        scene->step.dt = 0;
+        scene->step.fraction = study->facts.dt / study->facts.stable;
+    }
     bool good = variant_probe(study->comm, scene, &facts, error);
     scene_free(&scene);
     double dt = good ? facts.dt : NAN;
-    row->stable = good ? facts.stable : NAN;
+    *stable = good ? facts.stable : NAN;
     variant_forget(&facts);
     return dt;
 }
@@ -168,7 +184,7 @@ static bool row_errors(struct study *study, struct speed_row *row, struct error 
     struct error why = {0};
     struct look look = {.variant = &row->variant};
     row->seconds = row->cpu_seconds = INFINITY;
-    look.dt = row->dt = step_of(study, row, &why);
+    look.dt = row->dt = step_of(study, &row->variant, &row->stable, &why);
     bool good = why.kind == ERROR_NONE && study_look(study, &look, &record, &row->dt, &row->steps, &why);
     if (good && study->comm->rank == 0)
         speed_row_measure(row, &record, &study->reference);
@@ -273,17 +289,37 @@ static bool step_again(const struct study *study, const struct speed_row *row) {
     return false;
 }
 
+/* Lists the variants, and chooses the reference. Returns their number; 0: error filled. */
+static int study_list(struct study *study, const struct scene *scene, struct variant *variant,
+                      struct error *error) {
+    double stable;
+    int first = variant_list(variant, scene, &study->facts),
+        variants = variant_put_explicit(variant, first, scene, study->young);
+    study->true_run = variants > first ? variant[variants - 1] : as_it_is;
+    study->true_dt = step_of(study, &study->true_run, &stable, error);
+    if (variants > first) /* steps of 0.3, 0.15 and 0.075 of the stable one */
+        study->true_dt *= 4;
+    variants = error->kind == ERROR_NONE
+                   ? variant_keep(variant, variants, study->line->list[ABLATE_ONLY], error)
+                   : 0;
+    return variants > 0 && variant_vary(study->line, variant, &variants, error) ? variants : 0;
+}
+
 /* Counts the runs and their steps: three runs for the reference, the members of the spread, each variant once
  * observed and then timed, and likewise the combined variant with each time step. */
 static void study_count(struct study *study, const struct variant *variant, int variants) {
     double steps = ceil(study->duration / study->facts.dt), each = 1 + study->repeat;
     study->runs = SPEED_FINE + study->members;
-    study->steps_all = ((2 << SPEED_FINE) - 2 + study->members) * steps;
+    study->steps_all =
+        ((2 << SPEED_FINE) - 2) * ceil(study->duration / study->true_dt) + study->members * steps;
     for (int k = 0; k < variants; k++) {
         bool step = strcmp(variant[k].group, "step") == 0;
-        double factor = step ? variant[k].change[0].value : 1, combined = k == 0 || step ? 2 : 1;
+        double factor = step ? variant[k].change[0].value : 1, combined = k == 0 || step ? 2 : 1, stable;
+        struct error why = {0}; /* a variant that the scene refuses costs nothing */
+        if (variant[k].set[0])
+            factor = step_of(study, &variant[k], &stable, &why) / study->facts.dt;
         study->runs += (int)(each * combined);
-        study->steps_all += each * combined * steps / factor;
+        study->steps_all += why.kind == ERROR_NONE ? each * combined * steps / factor : 0;
     }
 }
 
@@ -316,9 +352,7 @@ static bool study_run(struct study *study, struct error *error) {
     struct variant *variant = memory_allocate_zero(VARIANTS_MAX, sizeof *variant, "variants");
     struct scene *scene = command_scene(study->comm, study->line, NULL, 0, error);
     bool good = scene && variant_probe(study->comm, scene, &study->facts, error);
-    int variants = good ? variant_list(variant, scene, &study->facts) : 0;
-    if (good)
-        variants = variant_keep(variant, variants, study->line->list[ABLATE_ONLY], error);
+    int variants = good ? study_list(study, scene, variant, error) : 0;
     good = variants > 0 && study_plan(study, variant, variants, error) && study_reference(study, error) &&
            study_spread(study, error);
     for (int k = 0; k < variants && good; k++) {
@@ -370,6 +404,7 @@ static bool study_options(struct study *study, struct error *error) {
         !number_read(list[ABLATE_REPEAT], "repeat", 1, 100, &repeat, error) ||
         !number_read(list[ABLATE_MEMBERS], "members", 2, SPEED_MEMBERS_MAX, &members, error) ||
         !number_read(list[ABLATE_TOLERANCE], "tolerance", 0, 1, &study->tolerance, error) ||
+        !number_read(list[ABLATE_YOUNG], "young", 1e-300, 1e300, &study->young, error) ||
         !number_read(list[ABLATE_MEAN_FROM], "mean-from", 0, study->duration, &study->reference.mean_from,
                      error))
         return false;

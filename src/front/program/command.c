@@ -24,12 +24,13 @@ static const struct command commands[] = {
      "validates a scene and prints what it needs and what a run will cost; writes nothing", 1, 1,
      "set all ranks threads", command_check},
     {"ablate", "SCENE.yaml -o DIR",
-     "runs a scene over all indexes, threads and newton settings, a table of times; with --error over all "
-     "that "
-     "has a price in time and in error",
+     "runs a scene over all indexes, threads and newton settings, or over values of any keys, a table of "
+     "times; "
+     "with --error over all that has a price in time and in error",
      1, 1,
-     "output set overwrite index threads newton steps error duration samples repeat members tolerance judge "
-     "mean-from only",
+     "output set overwrite index threads newton steps vary error duration samples repeat members tolerance "
+     "judge "
+     "mean-from only young",
      command_ablate},
     {"info", "FILE or DIR",
      "tells what is in a trajectory, checkpoint, LAMMPS data file or dump; or one value of a report or table",

@@ -94,6 +94,11 @@ static const struct flag flags[] = {
     {"threads", "1,2,...", "the thread counts to compare; default: powers of two up to all cores", "ablate"},
     {"newton", "on,off", "the newton settings to compare; default: both", NULL},
     {"steps", "N", "steps of each run; default: those of the scene", NULL},
+    {"vary", "KEY=A,B,...",
+     "values of any key of the scene to compare, e.g. --vary contact.solver.kappa=40,400; may be repeated: "
+     "all combinations run. Without --error, --index, --threads and --newton are then the scene's unless "
+     "given",
+     NULL},
     {"error", NULL,
      "compares settings by time and by error against a reference that is run first: speed_error.csv, "
      "speed_error.svg, and advice",
@@ -111,8 +116,14 @@ static const struct flag flags[] = {
     {"mean-from", "T",
      "with --error: columns are judged by their mean from this time on, s; default: sample by sample", NULL},
     {"only", "A,B,...",
-     "with --error: kinds of settings to try: step, integrator, law, stiffness, skin, index, classes, order; "
-     "default: all",
+     "with --error: kinds of settings to try: step, integrator, law, stiffness, solver, explicit, skin, "
+     "index, "
+     "classes, order; default: all",
+     NULL},
+    {"young", "E",
+     "with --error, of a scene of rigid grains: their real modulus, e.g. 70e9, for the explicit runs beside "
+     "it; "
+     "default: 5 MPa and 1 GPa alone",
      NULL},
 };
 
@@ -169,6 +180,13 @@ static bool petsc_add(struct command_line *line, const char *text, struct error 
     return setting_add(line, line->petsc, error);
 }
 
+static bool vary_add(struct command_line *line, const char *text, struct error *error) {
+    if (line->varied == COMMAND_VARY_MAX)
+        return error_set(error, ERROR_USER, "command line: more than %d --vary", COMMAND_VARY_MAX);
+    line->vary[line->varied++] = text;
+    return true;
+}
+
 /* The members of the command line that a flag sets: a text, once or the last one, or whether the flag was given. */
 static const struct target {
     const char *name;
@@ -202,6 +220,7 @@ static const struct target {
     LAST("judge", list[ABLATE_JUDGE]),
     LAST("mean-from", list[ABLATE_MEAN_FROM]),
     LAST("only", list[ABLATE_ONLY]),
+    LAST("young", list[ABLATE_YOUNG]),
     LAST("colour", draw[DRAW_COLOUR]),
     LAST("range", draw[DRAW_RANGE]),
     LAST("bands", draw[DRAW_BANDS]),
@@ -226,6 +245,8 @@ static bool flag_store(struct command_line *line, const char *name, const char *
         return setting_add(line, value, error);
     if (strcmp(name, "petsc") == 0)
         return petsc_add(line, value, error);
+    if (strcmp(name, "vary") == 0)
+        return vary_add(line, value, error);
     for (size_t k = 0; k < sizeof targets / sizeof targets[0]; k++) {
         const struct target *target = &targets[k];
         if (strcmp(target->name, name) != 0)

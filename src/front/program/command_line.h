@@ -9,7 +9,7 @@
 #include <stdbool.h>
 #include <stdio.h>
 
-enum { COMMAND_SETTINGS_MAX = 256, COMMAND_PETSC_MAX = 1024, COMMAND_FILES_MAX = 40 };
+enum { COMMAND_SETTINGS_MAX = 256, COMMAND_PETSC_MAX = 1024, COMMAND_FILES_MAX = 40, COMMAND_VARY_MAX = 8 };
 
 /* Flags of ablate that take a word or a list. */
 enum {
@@ -25,6 +25,7 @@ enum {
     ABLATE_JUDGE,
     ABLATE_MEAN_FROM,
     ABLATE_ONLY,
+    ABLATE_YOUNG,
     ABLATE_FLAGS
 };
 
@@ -57,7 +58,9 @@ struct command_line {
     const char *view;               /* --view of run: "" or the port; of picture: the view; NULL: not given */
     char petsc[COMMAND_PETSC_MAX];  /* --petsc, as a setting */
     const char *list[ABLATE_FLAGS]; /* of ablate */
-    const char *draw[DRAW_FLAGS];   /* of picture */
+    int varied;
+    const char *vary[COMMAND_VARY_MAX]; /* --vary KEY=A,B,... (ablate) */
+    const char *draw[DRAW_FLAGS];       /* of picture */
     bool overwrite, quiet;
     bool paused; /* --paused */
     bool bare;   /* --bare (picture) */

@@ -175,14 +175,22 @@ static bool is_energy(const char *name) {
     return strncmp(name, "energy_", 7) == 0 || strncmp(name, "work_", 5) == 0;
 }
 
-/* The default choice: the scene's own columns without energies; if the scene has no other columns, the
- * energies of motion. */
+/* True if a column is 0 at all times: it says nothing of the run, as the sweeps of a run without a solver. */
+static bool is_empty(const struct sample_record *record, int column) {
+    for (int k = 0; k < record->samples; k++)
+        if (sample_value(record, k, column) != 0)
+            return false;
+    return true;
+}
+
+/* The default choice: the scene's own columns without energies and without those that stay 0; if the scene has no other
+ * columns, the energies of motion. */
 static bool judged_by_default(const struct sample_record *record, int column) {
     const char *name = record->name[column];
     bool others = false;
     for (int c = 0; c < record->own; c++)
         others = others || !is_energy(record->name[c]);
-    return others ? !is_energy(name)
+    return others ? !is_energy(name) && !is_empty(record, column)
                   : strcmp(name, "energy_kinetic") == 0 || strcmp(name, "energy_gravity") == 0 ||
                         strcmp(name, "energy_rotational") == 0;
 }

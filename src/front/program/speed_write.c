@@ -1,10 +1,14 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* Tables and words of speed against error. */
+#include "front/program/tabular.h"
 #include "front/program/speed_error.h"
 #include "front/program/speed_plot.h"
+#include "base/memory.h"
 #include "base/version.h"
 #include <math.h>
+#include <stdlib.h>
 #include <string.h>
+#include <unistd.h>
 
 static const struct sample_record *finest(const struct speed_reference *reference) {
     return &reference->fine[SPEED_FINE - 1];
@@ -26,28 +30,51 @@ static bool file_close(FILE *file, const char *path, struct error *error) {
     return fclose(file) == 0 || error_set_errno(error, "%s", path);
 }
 
+static void row_fill(struct tabular *cells, const struct speed_row *r, const struct speed_row *first,
+                     const struct speed_reference *reference) {
+    char name[TABULAR_NAME_MAX];
+    cells->count = 0;
+    tabular_word(cells, "group", r->variant.group);
+    tabular_word(cells, "settings", r->variant.settings);
+    tabular_number(cells, "dt", "%.9g", r->dt);
+    tabular_number(cells, "dt_of_stable", "%.4g", r->dt / r->stable);
+    tabular_number(cells, "steps", "%.0f", (double)r->steps);
+    tabular_number(cells, "seconds", "%.6g", r->seconds);
+    tabular_number(cells, "cpu_seconds", "%.6g", r->cpu_seconds);
+    tabular_number(cells, "speedup", "%.4g", first->seconds / r->seconds);
+    tabular_number(cells, "trajectory_error", "%.6g", r->trajectory);
+    tabular_number(cells, "energy_drift", "%.6g", r->drift);
+    tabular_number(cells, "momentum_error", "%.6g", r->momentum);
+    for (int c = 0; c < finest(reference)->own; c++) {
+        snprintf(name, sizeof name, "%s_error", finest(reference)->name[c]);
+        tabular_number(cells, name, "%.6g", r->stopped[0] ? NAN : r->error[c]);
+    }
+    tabular_number(cells, "judged_error", "%.6g", r->judged);
+    tabular_number(cells, "on_front", "%.0f", r->on_front);
+    tabular_word(cells, "outcome", r->stopped[0] ? r->stopped : "done");
+}
+
 static bool rows_write(const struct speed_row *row, int rows, const struct speed_reference *reference,
                        const char *directory, struct error *error) {
-    char path[FILE_PATH_MAX];
-    FILE *file = file_open(directory, "speed_error.csv", path, error);
-    if (file == NULL)
+    char path[FILE_PATH_MAX], lines[FILE_PATH_MAX];
+    FILE *file = file_open(directory, "speed_error.csv", path, error),
+         *json = file ? file_open(directory, "speed_error.jsonl", lines, error) : NULL;
+    if (json == NULL) {
+        if (file)
+            fclose(file);
         return false;
-    fprintf(file,
-            "group,settings,dt,dt_of_stable,steps,seconds,cpu_seconds,speedup,trajectory_error,energy_drift,"
-            "momentum_error");
-    for (int c = 0; c < finest(reference)->own; c++)
-        fprintf(file, ",%s_error", finest(reference)->name[c]);
-    fprintf(file, ",judged_error,on_front,outcome\n");
-    for (int k = 0; k < rows; k++) {
-        const struct speed_row *r = &row[k];
-        fprintf(file, "%s,%s,%.9g,%.4g,%llu,%.6g,%.6g,%.4g,%.6g,%.6g,%.6g", r->variant.group,
-                r->variant.settings, r->dt, r->dt / r->stable, (unsigned long long)r->steps, r->seconds,
-                r->cpu_seconds, row[0].seconds / r->seconds, r->trajectory, r->drift, r->momentum);
-        for (int c = 0; c < finest(reference)->own; c++)
-            fprintf(file, ",%.6g", r->stopped[0] ? NAN : r->error[c]);
-        fprintf(file, ",%.6g,%d,\"%s\"\n", r->judged, r->on_front, r->stopped[0] ? r->stopped : "done");
     }
-    return file_close(file, path, error);
+    struct tabular *cells = memory_allocate(1, sizeof *cells, "a row of a table");
+    for (int k = 0; k < rows; k++) {
+        row_fill(cells, &row[k], &row[0], reference);
+        if (k == 0)
+            tabular_head(cells, file);
+        tabular_row(cells, file);
+        tabular_json(cells, json);
+    }
+    memory_free(cells);
+    bool closed = file_close(json, lines, error);
+    return file_close(file, path, error) && closed;
 }
 
 static bool reference_write(const struct speed_reference *reference, const char *directory,
@@ -68,6 +95,15 @@ static bool reference_write(const struct speed_reference *reference, const char 
     return file_close(file, path, error);
 }
 
+/* Says so if other programs kept the machine busy: seconds then count for little. */
+static void print_load(int own, FILE *file) {
+    double load;
+    long cores = sysconf(_SC_NPROCESSORS_ONLN);
+    if (getloadavg(&load, 1) == 1 && load > fmax((double)cores, own) + 0.5)
+        fprintf(file, "the load of this machine is %.1f on %ld core%s: seconds are of a busy machine\n", load,
+                cores, cores == 1 ? "" : "s");
+}
+
 /* Prints the processor, ranks and threads of the timed runs, and the clock of the seconds. */
 static void print_clock(const struct speed_reference *reference, FILE *file) {
     char cpu[128];
@@ -76,6 +112,7 @@ static void print_clock(const struct speed_reference *reference, FILE *file) {
     fprintf(file, "measured on %s: %d rank%s, %d thread%s each; seconds are %s\n", cpu, reference->ranks,
             reference->ranks == 1 ? "" : "s", reference->threads, reference->threads == 1 ? "" : "s",
             lone ? "the processor's" : "wall clock");
+    print_load(reference->ranks * reference->threads, file);
 }
 
 static void print_reference(const struct speed_reference *reference, FILE *file) {
@@ -139,7 +176,8 @@ static void offers_say(const struct speed_report *report, double allowed, FILE *
     for (int k = 1; k < report->rows; k++) {
         const struct speed_row *r = &report->row[k];
         const char *group = r->variant.group;
-        bool model = strcmp(group, "law") == 0 || strcmp(group, "stiffness") == 0;
+        bool model =
+            strcmp(group, "law") == 0 || strcmp(group, "stiffness") == 0 || strcmp(group, "explicit") == 0;
         if (model && r->stopped[0] == '\0')
             offer_say(report, r, allowed, file);
         if (model || !speed_row_opens_group(report->row, k))

@@ -141,6 +141,7 @@ int variant_list(struct variant *variant, const struct scene *scene, const struc
             put(&list, "integrator", VARIANT_INTEGRATOR, k, text);
         }
     put_laws(&list, scene);
+    list.count = variant_put_solver(variant, list.count, scene);
     put_searches(&list, scene, facts);
     return list.count;
 }
@@ -182,6 +183,8 @@ void variant_add(struct variant *to, const struct variant *from) {
     for (int k = 0; k < from->changes && to->changes < VARIANT_CHANGES_MAX; k++)
         to->change[to->changes++] = from->change[k];
     snprintf(to->settings + used, sizeof to->settings - used, "%s%s", used ? "; " : "", from->settings);
+    size_t set = strlen(to->set);
+    snprintf(to->set + set, sizeof to->set - set, "%s", from->set);
 }
 
 /* Sets linear springs that store the same energy as the present law at the overlap of an impact at the
@@ -271,6 +274,8 @@ static double change_apply(const struct variant_change *change, const struct var
     case VARIANT_FUSED:
         scene->step.fused = change->value > 0;
         break;
+    case VARIANT_SETTINGS: /* were read with the scene */
+        break;
     case VARIANT_REPRODUCIBLE:
         scene_make_reproducible(scene);
         break;
@@ -287,14 +292,15 @@ double variant_apply(const struct variant *variant, const struct variant_facts *
 
 bool variant_scales_step(const struct variant *variant) {
     for (int k = 0; k < variant->changes; k++)
-        if (variant->change[k].kind == VARIANT_LINEAR || variant->change[k].kind == VARIANT_SOFT)
+        if (variant->change[k].kind == VARIANT_LINEAR || variant->change[k].kind == VARIANT_SOFT ||
+            variant->change[k].kind == VARIANT_SETTINGS)
             return true;
     return false;
 }
 
 bool variant_is_exact(const struct variant *variant) {
     for (int k = 0; k < variant->changes; k++)
-        if (variant->change[k].kind < VARIANT_SKIN)
+        if (variant->change[k].kind < VARIANT_SKIN || variant->change[k].kind == VARIANT_SETTINGS)
             return false;
     return true;
 }

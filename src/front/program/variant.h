@@ -1,13 +1,19 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
-/* The variants that `scree ablate --error` tries: a scene with one or a few settings changed. Settings are
- * changed in the scene after reading, so that the scene file needs no new keys (for example stiffnesses for
- * another law). */
+/* The variants that `scree ablate --error` tries: a scene with one or a few settings changed. What no key of a scene can say (for
+ * example stiffnesses for another law) is changed in the scene after reading; the rest are keys with values, as in --set. */
 #ifndef SCREE_PROGRAM_VARIANT_H
 #define SCREE_PROGRAM_VARIANT_H
 
 #include "engine/simulation.h"
+#include "front/program/command_line.h"
 
-enum { VARIANTS_MAX = 64, VARIANT_CHANGES_MAX = 8, VARIANT_TEXT_MAX = 200 };
+enum {
+    VARIANTS_MAX = 96,
+    VARIANT_CHANGES_MAX = 8,
+    VARIANT_TEXT_MAX = 200,
+    VARIANT_SET_MAX = 1024,
+    VARIANT_SETTINGS_MAX = 64
+};
 
 enum variant_kind {
     VARIANT_STEP,         /* the time step times `value` */
@@ -21,6 +27,7 @@ enum variant_kind {
     VARIANT_INDEX,        /* index number `value` of the registry */
     VARIANT_CLASSES,      /* sizes merged into `value` classes */
     VARIANT_FUSED,        /* the order of the step: 1 fused, 0 plain */
+    VARIANT_SETTINGS,     /* the keys of `set`; the step is that of the scene with them */
     VARIANT_REPRODUCIBLE  /* forces summed in the same order on every layout */
 };
 
@@ -33,7 +40,8 @@ struct variant {
     const char *group;               /* "step", "law" ... */
     char settings[VARIANT_TEXT_MAX]; /* shown to people: "dt x 2" */
     struct variant_change change[VARIANT_CHANGES_MAX];
-    int changes; /* 0: the scene as it is */
+    int changes;               /* 0: the scene as it is */
+    char set[VARIANT_SET_MAX]; /* KEY=VALUE, lines; of VARIANT_SETTINGS */
 };
 
 /* The facts of a scene that are needed to choose and apply variants. */
@@ -52,6 +60,26 @@ struct variant_facts {
 bool variant_probe(const struct comm *comm, const struct scene *scene, struct variant_facts *facts,
                    struct error *error);
 void variant_forget(struct variant_facts *facts);
+
+/* The keys that a variant sets, into `setting`, with room for VARIANT_SETTINGS_MAX, whose texts lie in `text`. Returns their
+ * number. */
+int variant_settings(const struct variant *variant, struct scene_setting *setting,
+                     char text[VARIANT_SET_MAX]);
+
+/* Adds a variant of keys and values, lines of KEY=VALUE, to a list of `count`; returns the new count. Without room nothing is
+ * added. */
+int variant_put(struct variant *list, int count, const char *group, const char *settings, const char *set);
+
+/* Adds more and fewer sweeps, softer and stiffer springs, and the other method, of a scene with contact.solver. Returns the new
+ * count. */
+int variant_put_solver(struct variant *list, int count, const struct scene *scene);
+
+/* Adds the combinations of the values of --vary, as variants of the group "vary". Fails (user). */
+bool variant_vary(const struct command_line *line, struct variant *list, int *count, struct error *error);
+
+/* Adds the explicit runs of a scene with contact.solver: at 5 MPa, at 1 GPa, and at the modulus `young` (Pa; 0: that of the
+ * scene, if it has one); each at the default step and at four times that. The stiffest stands last. Returns the new count. */
+int variant_put_explicit(struct variant *list, int count, const struct scene *scene, double young);
 
 /* Fills `list` with the scene as it is and the variants that make sense for the scene; returns the number of
  * entries. */
