@@ -24,7 +24,7 @@ check_PROGRAMS += \
 	%D%/mpi/test_migrate %D%/mpi/test_mover %D%/mpi/test_observables %D%/mpi/test_projection \
 	%D%/mpi/test_regions %D%/mpi/test_report %D%/mpi/test_scene_ranks %D%/mpi/test_shadows %D%/mpi/test_shear \
 	%D%/mpi/test_solve %D%/mpi/test_solve_interface %D%/mpi/test_stress %D%/physics/bodies/shapes/test_solid \
-	%D%/physics/bodies/shapes/test_touch %D%/physics/bodies/test_bodies %D%/physics/bodies/test_clump \
+	%D%/physics/bodies/shapes/test_stiff %D%/physics/bodies/shapes/test_touch %D%/physics/bodies/test_bodies %D%/physics/bodies/test_clump \
 	%D%/physics/bonds/test_bonds %D%/physics/bonds/test_bonds_links %D%/physics/drag/test_drag \
 	%D%/physics/fluid/carried/test_fluid_layer %D%/physics/fluid/carried/test_fluid_scalar_links \
 	%D%/physics/fluid/coupling/test_fluid_grain_coupling %D%/physics/fluid/coupling/test_fluid_rigid \

@@ -28,6 +28,9 @@ void bodies_motion_push(const struct bodies_links *links, const struct physics_c
 /* The entry that a grain of this material and radius becomes a body of, those of clumps first; -1: none. */
 int place_entry(const struct bodies_options *options, int material, double radius);
 
+/* The shapes of an entry (-1: none): their number, and that of the first one. */
+int place_shapes(const struct bodies_options *options, int entry, int *first);
+
 /* Turns the grains of this rank that are to be bodies into bodies and their members: `fill` of struct physics. */
 bool place_all(struct bodies *bodies, const struct physics_context *context,
                const struct physics_share *share, struct error *error);

@@ -31,21 +31,26 @@ int place_entry(const struct bodies_options *options, int material, double radiu
     return -1;
 }
 
+int place_shapes(const struct bodies_options *options, int entry, int *first) {
+    const int clumps = options->clumps;
+    *first = entry < clumps ? entry : clumps;
+    for (int k = clumps; k < entry; k++)
+        *first += bodies_variants(&options->rock[k - clumps]);
+    return entry < 0 ? 0 : entry < clumps ? 1 : bodies_variants(&options->rock[entry - clumps]);
+}
+
 /* The shape of grain i: of those of its entry, which stand one after another, one by its id. -1: none. */
 static int shape_of(const struct bodies *bodies, const struct physics_context *context, size_t i) {
     const struct particles *p = context->particles;
     int entry = place_entry(bodies->options, material_of(material_numbers(p), i), p->state[i].radius);
     if (kinds_of(p)[i] != KIND_GRAIN || entry < 0)
         return -1;
-    const int clumps = bodies->options->clumps;
-    int first = entry < clumps ? entry : clumps;
-    for (int k = clumps; k < entry; k++)
-        first += bodies_variants(&bodies->options->rock[k - clumps]);
-    if (entry < clumps)
+    int first, count = place_shapes(bodies->options, entry, &first);
+    if (entry < bodies->options->clumps)
         return first;
     struct random_sequence random =
         random_sequence(context->scene->seed, RANDOM_SHAPE, (uint64_t)p->id[i] + ((uint64_t)1 << 32));
-    return first + (int)(random_uniform(&random) * bodies_variants(&bodies->options->rock[entry - clumps]));
+    return first + (int)(random_uniform(&random) * count);
 }
 
 /* Uniform over all rotations (Shoemake, Graphics Gems III (1992) 124); in two dimensions over the circle. */

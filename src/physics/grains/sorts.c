@@ -12,6 +12,7 @@
 struct sorts_sphere {
     double radius, mass;
     double start, fall; /* squares of speeds */
+    struct timestep_body body;
 };
 
 static double cube(double x) {
@@ -33,12 +34,30 @@ static int sort_of(const struct physics_context *c, int material, double radius,
     return material * SORTS_DENSITIES + (int)fmin(fmax(power, 0), SORTS_DENSITIES - 1);
 }
 
+/* The worse of two. */
+static void body_raise(struct timestep_body *body, const struct timestep_body *by) {
+    body->ease = fmax(body->ease, by->ease);
+    body->curved = fmax(body->curved, by->curved);
+    for (int k = 0; k < 3; k++)
+        body->seat[k] = fmax(body->seat[k], by->seat[k]);
+}
+
+/* What a physics says of a particle, or of a grain to come. */
+static struct timestep_body body_of(const struct physics_context *c, const struct physics_grain *grain) {
+    struct timestep_body body = TIMESTEP_SPHERE;
+    PHYSICS_EACH (active, c->set, joints)
+        if (active->row->joints->ease)
+            active->row->joints->ease(&active->context, grain, &body);
+    return body;
+}
+
 static void sorts_put(struct sorts *sorts, int sort, const struct sorts_sphere *sphere) {
     double ratio = sphere->mass / cube(sphere->radius);
     sorts->radius_min[sort] = fmin(sorts->radius_min[sort], sphere->radius);
     sorts->radius_max[sort] = fmax(sorts->radius_max[sort], sphere->radius);
     sorts->lightest[sort] = fmin(sorts->lightest[sort], ratio);
     sorts->heaviest[sort] = fmax(sorts->heaviest[sort], ratio);
+    body_raise(&sorts->body[sort], &sphere->body);
     sorts->start[sort] = fmax(sorts->start[sort], sphere->start);
     sorts->fall[sort] = fmax(sorts->fall[sort], sphere->fall);
 }
@@ -72,7 +91,8 @@ static void sorts_insert(const struct physics_context *c, struct sorts *sorts,
     double fall = fall_from(c, edge[1], edge[0]);
     for (int k = 0; k < 2; k++) {
         double mass = particles_sphere_mass(radius[k], particles_density(c->box, radius[k], density));
-        struct sorts_sphere sphere = {radius[k], mass, v2, fall};
+        struct physics_grain grain = {SIZE_MAX, options->material, radius[k]};
+        struct sorts_sphere sphere = {radius[k], mass, v2, fall, body_of(c, &grain)};
         sorts_put(sorts, sort_of(c, options->material, radius[k], mass), &sphere);
     }
 }
@@ -92,7 +112,9 @@ static void sorts_add(const struct physics_context *c, struct sorts *sorts, size
         lower[d] = p->x[d] - p->radius;
         upper[d] = p->x[d] + p->radius;
     }
-    struct sorts_sphere sphere = {p->radius, 1 / p->inverse_mass, v2, fall_from(c, lower, upper)};
+    struct physics_grain grain = {k, material, p->radius};
+    struct sorts_sphere sphere = {p->radius, 1 / p->inverse_mass, v2, fall_from(c, lower, upper),
+                                  body_of(c, &grain)};
     sorts_put(sorts, sort_of(c, material, p->radius, sphere.mass), &sphere);
 }
 
@@ -114,6 +136,7 @@ void sorts_collect(const struct physics_context *c, struct sorts *sorts) {
     comm_min(c->comm, sorts->lightest, SORTS_MAX);
     comm_max(c->comm, sorts->radius_max, SORTS_MAX);
     comm_max(c->comm, sorts->heaviest, SORTS_MAX);
+    comm_max(c->comm, &sorts->body[0].ease, SORTS_MAX * (int)(sizeof *sorts->body / sizeof(double)));
     comm_max(c->comm, sorts->start, SORTS_MAX);
     comm_max(c->comm, sorts->fall, SORTS_MAX);
     comm_max(c->comm, sorts->fixed, LAW_MATERIALS_MAX);
