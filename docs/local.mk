@@ -48,15 +48,15 @@ EXTRA_DIST += \
 	%D%/images/verify-rolling-decay.svg %D%/images/verify-settling.svg %D%/images/verify-slide-to-roll.svg \
 	%D%/images/verify-stack.svg %D%/images/verify-sticking-velocity.svg %D%/images/verify-tumbling-clump.svg \
 	%D%/images/verify-turning-wall.svg %D%/images/verify-vyas.svg %D%/images/verify-wall-edge.svg \
-	%D%/images/view.png %D%/images/water-bed.png %D%/images/wet-pile.png %D%/index.md %D%/indexes.md %D%/layouts.md %D%/library.md \
-	%D%/packing.md %D%/performance-index.md %D%/performance-journal.md %D%/performance.md %D%/physics.md \
-	%D%/pictures.md %D%/pores.md %D%/python.md %D%/reports.md %D%/results/performance %D%/results/pores \
-	%D%/results/scaling/ghosts/lines.jsonl %D%/results/scaling/ghosts/section.md \
-	%D%/results/scaling/hybrid.jsonl %D%/results/scaling/lengths.jsonl %D%/results/scaling/pupcs/lines.jsonl \
-	%D%/results/scaling/pupcs/section.md %D%/results/scaling/pupcs/sizes.jsonl \
-	%D%/results/scaling/pupcs/sizes.md %D%/results/scaling/ranks.jsonl %D%/results/scaling/strong.jsonl \
-	%D%/results/scaling/weak.jsonl %D%/scaling.md %D%/scene.md %D%/site/Doxyfile %D%/site/conf.py \
-	%D%/speed-error.md %D%/tutorial.md %D%/user-law.md %D%/view.md
+	%D%/images/view.png %D%/images/water-bed.png %D%/images/wet-pile.png %D%/index.md %D%/indexes.md \
+	%D%/layouts.md %D%/library.md %D%/packing.md %D%/performance-index.md %D%/performance-journal.md \
+	%D%/performance.md %D%/physics.md %D%/pictures.md %D%/pores.md %D%/python.md %D%/reports.md \
+	%D%/results/performance %D%/results/pores %D%/results/scaling/ghosts/lines.jsonl \
+	%D%/results/scaling/ghosts/section.md %D%/results/scaling/hybrid.jsonl %D%/results/scaling/lengths.jsonl \
+	%D%/results/scaling/pupcs/lines.jsonl %D%/results/scaling/pupcs/section.md \
+	%D%/results/scaling/pupcs/sizes.jsonl %D%/results/scaling/pupcs/sizes.md %D%/results/scaling/ranks.jsonl \
+	%D%/results/scaling/strong.jsonl %D%/results/scaling/weak.jsonl %D%/scaling.md %D%/scene.md \
+	%D%/site/Doxyfile %D%/site/conf.py %D%/speed-error.md %D%/tutorial.md %D%/user-law.md %D%/view.md
 
 # The pages that the program writes, after a change of the schema, a field, an observable, a stage or the report
 .PHONY: pages

@@ -39,9 +39,10 @@ nobase_dist_pkgdata_DATA += \
 	%D%/style.gp %D%/tumbling-clump/scene.yaml %D%/turning-wall/disc.txt %D%/turning-wall/hertz.yaml \
 	%D%/turning-wall/plane.yaml %D%/turning-wall/scene.yaml %D%/vyas/plot.gp %D%/vyas/ratio-100.txt \
 	%D%/vyas/scene.yaml %D%/wall-edge/plate.txt %D%/wall-edge/scene.yaml %D%/water-bed/discs.txt \
-	%D%/water-bed/discs.yaml %D%/water-bed/scene.yaml %D%/water-bed/spheres.yaml %D%/water-consolidation/permeability.yaml \
-	%D%/water-consolidation/scene.yaml %D%/water-hindered/scene.yaml %D%/water-settling/array.yaml %D%/water-settling/scene.yaml \
-	%D%/water-settling/shear.yaml %D%/water-two-spheres/scene.yaml
+	%D%/water-bed/discs.yaml %D%/water-bed/scene.yaml %D%/water-bed/spheres.yaml \
+	%D%/water-consolidation/permeability.yaml %D%/water-consolidation/scene.yaml %D%/water-hindered/scene.yaml \
+	%D%/water-settling/array.yaml %D%/water-settling/scene.yaml %D%/water-settling/shear.yaml \
+	%D%/water-two-spheres/scene.yaml
 
 nobase_dist_pkgdata_SCRIPTS += \
 	%D%/beverloo-3d/check %D%/beverloo/check %D%/bonded-cantilever/check %D%/bouncing/check %D%/bowl/check \
@@ -62,4 +63,5 @@ nobase_dist_pkgdata_SCRIPTS += \
 	%D%/rock-rest/check %D%/rock-rod/check %D%/rock-slope/check %D%/rock-stack/check %D%/rock-tumbling/check \
 	%D%/rolling-decay/check %D%/run.sh %D%/settling/check %D%/slide-to-roll/check %D%/stack/check \
 	%D%/sticking-velocity/check %D%/table.sh %D%/tumbling-clump/check %D%/turning-wall/check %D%/vyas/check \
-	%D%/wall-edge/check %D%/water-bed/check %D%/water-consolidation/check %D%/water-hindered/check %D%/water-settling/check %D%/water-two-spheres/check
+	%D%/wall-edge/check %D%/water-bed/check %D%/water-consolidation/check %D%/water-hindered/check \
+	%D%/water-settling/check %D%/water-two-spheres/check

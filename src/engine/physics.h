@@ -200,6 +200,7 @@ struct physics_rows {
 };
 
 struct stability;
+struct timestep_body;
 
 /* Facet of a physics that joins grains. */
 struct physics_joints {
@@ -210,8 +211,12 @@ struct physics_joints {
     /* True if this physics has the contacts of an owned particle with walls, which the law then leaves out; any thread, where
      * `joins` is true. NULL: of none. */
     bool (*alone)(const struct physics_context *context, size_t i);
-    /* Its part in the stability of contacts (physics/grains/motion/stability.h): adds the springs at owned particles; the largest
-     * L_i + L_j of its pairs. NULL: it has none. */
+    /* Raises what sets owned particle i, or if i is SIZE_MAX a grain that is to enter, apart from a sphere in the stable step
+     * (physics/grains/motion/timestep.h). NULL: nothing does. */
+    void (*ease)(const struct physics_context *context, size_t i, const struct physics_grain *grain,
+                 struct timestep_body *body);
+    /* Its part in the stability of contacts (physics/grains/motion/stability.h): adds the springs at owned particles, with newton on
+     * also at copies, whose sums then go home; the largest L_i + L_j of its pairs. NULL: it has none. */
     void (*stiffen)(const struct physics_context *context, struct stability *stability);
     double (*stiffest)(const struct physics_context *context, const struct stability *stability);
 };

@@ -58,6 +58,24 @@ gas() { # DIR BOUND RANKS SETTING...
 }
 check 'a gas of rocks keeps energy and momentum' gas gas 4e-5 1
 check 'on 3 ranks, too' gas gas3 4e-5 3
+check 'at the whole stable step, too' gas gas_step 1e-2 1 --set step='{fraction: 1, count: 4000}' --set observables.every=4000
+
+# The stable step: two contacts of a cube along faces, at both ends, of 30 x 4^(-2/3) x 4 x 0.45^2 springs each (test_stiff); of contacts that are there
+cat >stack.txt <<'TABLE'
+x y z vx vy vz radius
+0 0 0.499 0 0 0 0.45
+0.001 0.002 1.4985 1e-4 0 2e-4 0.45
+0.003 0 2.498 0 1e-4 0 0.45
+TABLE
+stack() { # EXPRESSION SETTING...: of the stable step h that check finds for a stack of cubes between a floor and a lid
+    "$scree" check drop.yaml --set 'particles={from: file, file: stack.txt, format: table}' --set bodies.shapes[0].quaternion='[1, 0, 0, 0]' \
+        --set material_pairs='[{k_n: 1e5, restitution: 1}]' --set contact.tangential=none --set gravity='[0, 0, 0]' --set observables.list='[{name: energy}]' \
+        --set walls='[{name: floor, shape: plane, point: [0, 0, 0], normal: [0, 0, 1]}, {name: lid, shape: plane, point: [0, 0, 2.997], normal: [0, 0, -1]}]' \
+        "${@:2}" | sed -n 's/^time step.*of the stable \([0-9.e+-]*\).*/\1/p' >stable && awk -v seat="$(awk 'BEGIN { print 30 / 4 ^ (2 / 3) * 4 * 0.45 ^ 2 }')" \
+        "{ h = \$1; known = 2 / sqrt(4 * seat * 1e5); print \"  stable \" h \", of faces to come \" known; exit !($1) }" stable
+}
+check 'the stable step is that of faces' stack 'h > 0.9999 * known && h < 1.0001 * known' --set particles='{from: single, position: [0, 0, 1.5], radius: 1}'
+check 'faces on faces lower it' stack 'h < 0.9 * known && h > 0.6 * known'
 
 # Everything at once, between walls
 cat >crowd.yaml <<'YAML'

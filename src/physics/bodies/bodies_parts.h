@@ -28,6 +28,9 @@ void bodies_motion_push(const struct bodies_links *links, const struct physics_c
 /* The entry that a grain of this material and radius becomes a body of, those of clumps first; -1: none. */
 int place_entry(const struct bodies_options *options, int material, double radius);
 
+/* The shapes of an entry (-1: none): their number, and that of the first one. */
+int place_shapes(const struct bodies_options *options, int entry, int *first);
+
 /* Refuses, by name, insertions that may not become the bodies that they would. Reads the shapes of `bodies` alone. */
 bool place_check(const struct bodies *bodies, const struct physics_context *context, struct error *error);
 

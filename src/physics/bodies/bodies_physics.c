@@ -3,6 +3,7 @@
 #include "physics/bodies/bodies.h"
 #include "physics/bodies/bodies_fields.h"
 #include "physics/grains/grains.h"
+#include "physics/grains/motion/timestep.h"
 #include "physics/bodies/bodies_links.h"
 #include "physics/bodies/bodies_parts.h"
 #include "physics/bodies/rocks.h"
@@ -169,11 +170,49 @@ static struct history_rows *rows_of(const struct physics_context *context) {
 
 /* The law leaves the contacts of balls around rocks to rocks_act. */
 static bool joined(const struct physics_context *context, size_t i, size_t j) {
-    return rocks_has(context->particles, i) || rocks_has(context->particles, j);
+    return rocks_shape(context->particles, i) >= 0 || rocks_shape(context->particles, j) >= 0;
 }
 
 static bool alone(const struct physics_context *context, size_t i) {
-    return rocks_has(context->particles, i);
+    return rocks_shape(context->particles, i) >= 0;
+}
+
+static void ease_raise(const struct clump *clump, struct timestep_body *body) {
+    const bool rock = clump->core.corners > 0;
+    body->ease = fmax(body->ease, clump->ease);
+    body->curved = fmax(body->curved, rock ? clump->rounding / clump->extent : 1);
+    for (int k = 0; rock && k < 3; k++)
+        body->seat[k] = fmax(body->seat[k], clump->seat[k]);
+}
+
+/* Rocks by their shape, members of clumps by the worst of all clumps, grains to come by their entry. */
+static void ease(const struct physics_context *context, size_t i, const struct physics_grain *grain,
+                 struct timestep_body *body) {
+    const struct bodies *bodies = context->self;
+    const struct particles *p = context->particles;
+    int first = 0, count = 0;
+    if (i == SIZE_MAX) {
+        count = place_shapes(bodies->options, place_entry(bodies->options, grain->material, grain->radius),
+                             &first);
+    } else if (bodies->rocks && rocks_shape(p, i) >= 0) {
+        first = rocks_shape(p, i);
+        count = 1;
+    } else if (carried_by(p)[i] >= 0) {
+        count = bodies->options->clumps;
+    }
+    if (count > 0)
+        body->curved = 0;
+    for (int k = first; k < first + count; k++)
+        ease_raise(&bodies->clump[k], body);
+}
+
+static void stiffen(const struct physics_context *context, struct stability *stability) {
+    if (has_rocks(context))
+        rocks_stiffen(context->self, context, stability);
+}
+
+static double stiffest(const struct physics_context *context, const struct stability *stability) {
+    return has_rocks(context) ? rocks_stiffest(context->self, context, stability) : 0;
 }
 
 static void full_step(const struct physics_context *context) {
@@ -226,13 +265,16 @@ static void print_made(const struct physics_context *context, int number, FILE *
 
 static void print_rock(const struct clump *clump, const char *name, FILE *file) {
     const struct solid *core = &clump->core;
-    fprintf(file,
-            "rocks '%s': %d corners, %d faces, rounding %.6g; as drawn: radius of the ball %.6g about %.6g "
-            "%.6g %.6g, "
-            "volume %.6g, moments of inertia over mass %.6g %.6g %.6g (of the sharp solid)\n",
-            name, core->corners, core->faces, clump->rounding, clump->extent, clump->centre[0],
-            clump->centre[1], clump->centre[2], clump->volume, clump->gyration[0], clump->gyration[1],
-            clump->gyration[2]);
+    fprintf(
+        file,
+        "rocks '%s': %d corners, %d faces, rounding %.6g; as drawn: radius of the ball %.6g about %.6g "
+        "%.6g %.6g, "
+        "volume %.6g, moments of inertia over mass %.6g %.6g %.6g (of the sharp solid); a push on a corner "
+        "moves it %.3g times as far as one on the centre, and a contact along faces is as stiff as %.3g "
+        "on the centre\n",
+        name, core->corners, core->faces, clump->rounding, clump->extent, clump->centre[0], clump->centre[1],
+        clump->centre[2], clump->volume, clump->gyration[0], clump->gyration[1], clump->gyration[2],
+        clump->corner, clump->seat[0]);
 }
 
 static void print_shape(const struct physics_context *context, int k, FILE *file) {
@@ -262,9 +304,10 @@ static void print(const struct physics_context *context, FILE *file) {
     for (int k = 0; k < bodies->shapes; k++)
         print_shape(context, k, file);
     if (context->comm->rank == 0)
-        fprintf(file,
-                "  the stable time step takes each member with its share of the mass, and so is below that "
-                "of the body\n");
+        fprintf(
+            file,
+            "  the stable time step takes each member of a clump with its share of the mass, and so is below "
+            "that of the body; of a rock its contacts along faces\n");
 }
 
 static const struct physics_pass passes[] = {{.name = "bodies",
@@ -290,7 +333,12 @@ static const struct physics_pass passes[] = {{.name = "bodies",
 
 static const struct physics_maker maker = {.fill = fill, .part = part, .join = join};
 static const struct physics_rows rows = {.of = rows_of, .components = ROCKS_COMPONENTS};
-static const struct physics_joints joints = {.joined = joined, .joins = has_rocks, .alone = alone};
+static const struct physics_joints joints = {.joined = joined,
+                                             .joins = has_rocks,
+                                             .alone = alone,
+                                             .ease = ease,
+                                             .stiffen = stiffen,
+                                             .stiffest = stiffest};
 static const struct physics_shown shown = {.full_step = full_step};
 
 const struct physics bodies_physics = {.name = "bodies",

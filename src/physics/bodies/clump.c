@@ -189,6 +189,17 @@ static bool shares_find(struct clump *clump, const struct scene *scene, int numb
     return true;
 }
 
+/* The inertia that spheres with the shares have is gyration - rest. */
+static void ease_find(struct clump *clump) {
+    static const int row[6] = {0, 1, 2, 0, 0, 1}, column[6] = {0, 1, 2, 1, 2, 2};
+    const double *g = clump->gyration;
+    double over[6];
+    for (int k = 0; k < 6; k++)
+        over[k] =
+            (row[k] == column[k]) - clump->rest[3 * row[k] + column[k]] / sqrt(g[row[k]] * g[column[k]]);
+    clump->ease = fmax(1, eigen3_largest(over));
+}
+
 /* The inertia over mass that spheres with the shares lack. */
 static void rest_find(struct clump *clump) {
     for (int d = 0; d < 3; d++)
@@ -221,6 +232,7 @@ bool clump_make(struct clump *clump, const struct scene *scene, int number,
         return false;
     if (clump->overlap || options->inertia_given || mesh)
         rest_find(clump);
+    ease_find(clump);
     return true;
 }
 

@@ -55,11 +55,16 @@ struct clump {
     double gyration[3]; /* moments of inertia over mass, from small to large */
     double rest
         [9]; /* inertia over mass that the spheres' shares do not account for, row by row; 0 where none overlap */
+    double ease;    /* of a clump: the largest inertia that the spheres' shares have over that of the body, at
+                       least 1 */
     double axes[4]; /* turns this frame to that of the entry */
     bool overlap;
     struct solid
         core;        /* of a rock, in this frame: its one sphere is the ball around it. No corners: a clump */
     double rounding; /* of a rock: it is all that is nearer than this to the core */
+    double
+        corner; /* of a rock: how far a push on a corner moves it, over one on its middle (physics/bodies/shapes/stiff.h) */
+    double seat[3]; /* of a rock: a contact along its faces (physics/bodies/shapes/stiff.h) */
 };
 
 /* Makes a shape. Reads its file. False, with a user's error, where it cannot be one. clump_free releases it. */

@@ -32,21 +32,25 @@ int place_entry(const struct bodies_options *options, int material, double radiu
     return -1;
 }
 
-/* The shape of a grain: of those of its entry, which stand one after another, one by its variant or its id. -1: none. */
+int place_shapes(const struct bodies_options *options, int entry, int *first) {
+    const int clumps = options->clumps;
+    *first = entry < clumps ? entry : clumps;
+    for (int k = clumps; k < entry; k++)
+        *first += bodies_variants(&options->rock[k - clumps]);
+    return entry < 0 ? 0 : entry < clumps ? 1 : bodies_variants(&options->rock[entry - clumps]);
+}
+
+/* The shape of a grain: of those of its entry, one by its variant or its id. -1: none. */
 static int shape_of(const struct bodies *bodies, uint64_t seed, const struct physics_grain *grain) {
-    const struct bodies_options *options = bodies->options;
-    const int entry = place_entry(options, grain->material, grain->radius), rock = entry - options->clumps;
-    if (entry < 0)
-        return -1;
-    const int variants = rock < 0 ? 1 : bodies_variants(&options->rock[rock]);
-    int first = rock < 0 ? entry : options->clumps, variant = grain->variant;
-    for (int k = 0; k < rock; k++)
-        first += bodies_variants(&options->rock[k]);
-    if (variant < 0) {
+    int first, variant = grain->variant;
+    const int entry = place_entry(bodies->options, grain->material, grain->radius);
+    const int variants = place_shapes(bodies->options, entry, &first);
+    if (variant < 0 && entry >= bodies->options->clumps) {
         struct random_sequence random =
             random_sequence(seed, RANDOM_SHAPE, (uint64_t)grain->id + ((uint64_t)1 << 32));
-        variant = rock < 0 ? 0 : (int)(random_uniform(&random) * variants);
+        variant = (int)(random_uniform(&random) * variants);
     }
+    variant = variant < 0 ? 0 : variant;
     return variant < variants ? first + variant : -1;
 }
 

@@ -2,6 +2,7 @@
 /* From corners, a file or a draw to a rock. Read rock.h first. */
 #include "physics/bodies/rock.h"
 #include "physics/bodies/rotor.h"
+#include "physics/bodies/shapes/stiff.h"
 #include "physics/grains/walls/mesh.h"
 #include "physics/grains/walls/wall_inside.h"
 #include "base/eigen3.h"
@@ -139,6 +140,9 @@ static bool solid_take(struct solid *solid, const struct scene *scene, int numbe
 /* The ball around the rock as its only sphere, which has all of its mass. */
 static void ball_make(struct clump *clump) {
     clump->extent = solid_extent(&clump->core) + clump->rounding;
+    clump->ease = 1;
+    clump->corner = stiff_corner(&clump->core, clump->gyration);
+    stiff_seat(&clump->core, clump->rounding, clump->gyration, clump->seat);
     clump->spheres = 1;
     clump->sphere = memory_allocate_zero(1, sizeof *clump->sphere, "ball of a rock");
     clump->share = memory_allocate_zero(1, sizeof *clump->share, "ball of a rock");

@@ -32,8 +32,15 @@ void rocks_free(struct rocks **rocks);
 /* Sets what member m knows: the number of its shape, -1 of a sphere, and the orientation of its body. */
 void rocks_member(const struct particles *particles, size_t m, int shape, const double orientation[4]);
 
-/* True if a particle, owned or a copy, is the ball around a rock. */
-bool rocks_has(const struct particles *particles, size_t i);
+/* The number of the shape of a rock, if a particle, owned or a copy, is the ball around one; else -1. */
+int rocks_shape(const struct particles *particles, size_t i);
+
+/* Their part in the stability of the present contacts (physics/grains/motion/stability.h): each end of a contact counts with the
+ * largest eigenvalue of the contact (physics/bodies/shapes/stiff.h), whatever its direction; and the largest L_i + L_j. */
+struct stability;
+void rocks_stiffen(struct bodies *bodies, const struct physics_context *context, struct stability *stability);
+double rocks_stiffest(const struct bodies *bodies, const struct physics_context *context,
+                      const struct stability *stability);
 
 /* After a step of bodies: members take the orientations of their bodies. */
 void rocks_turn(const struct bodies *bodies, const struct particles *particles);

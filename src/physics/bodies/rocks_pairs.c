@@ -67,8 +67,8 @@ void rocks_member(const struct particles *particles, size_t m, int number, const
     memcpy(rocks_orientations(particles)[m], orientation, 4 * sizeof *orientation);
 }
 
-bool rocks_has(const struct particles *particles, size_t i) {
-    return rocks_shapes(particles)[i] >= 0;
+int rocks_shape(const struct particles *particles, size_t i) {
+    return rocks_shapes(particles)[i];
 }
 
 void rocks_turn(const struct bodies *bodies, const struct particles *particles) {

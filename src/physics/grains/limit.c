@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* Passes the contacts of all ranks to stability.h and iterates. Read grains_own.h first. */
 #include "physics/grains/grains_own.h"
+#include "kernel/particles/material.h"
 #include "kernel/particles/spin.h"
 #include "base/memory.h"
 #include "physics/grains/motion/stability.h"
@@ -63,6 +64,16 @@ static void walls_give(const struct physics_context *context, struct stability *
     memory_free(contacts);
 }
 
+/* Members of bodies that turn more easily than their spheres do. */
+static void bodies_ease(const struct physics_context *context, struct stability *stability) {
+    PHYSICS_EACH (active, context->set, joints)
+        for (size_t k = 0; active->row->joints->ease && k < context->particles->owned; k++) {
+            struct timestep_body body = TIMESTEP_SPHERE;
+            active->row->joints->ease(&active->context, k, NULL, &body);
+            stability->local[k] *= body.ease;
+        }
+}
+
 /* The bound on the largest eigenvalue at step h; the scheme is stable up to 4. */
 static double eigenvalue_at(const struct physics_context *context, double h) {
     struct grains *grains = context->self;
@@ -71,12 +82,13 @@ static double eigenvalue_at(const struct physics_context *context, double h) {
     stability_pairs(&stability, &grains->contact);
     if (grains->walls)
         walls_give(context, &stability);
-    if (context->ghosts && context->scene->ghosts.newton)
-        sums_home(context, &stability);
     PHYSICS_EACH (active, context->set, joints)
         if (active->row->joints->stiffen)
             active->row->joints->stiffen(&active->context, &stability);
+    if (context->ghosts && context->scene->ghosts.newton)
+        sums_home(context, &stability);
     stability_solve(&stability, context->particles);
+    bodies_ease(context, &stability);
     if (context->ghosts)
         local_out(context, &stability);
     double worst = stability_worst(&stability, &grains->contact);

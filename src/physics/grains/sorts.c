@@ -15,6 +15,7 @@ enum { SORTS_SIZES = 17 };
 struct sorts_sphere {
     double radius, mass;
     double start, fall; /* squares of speeds */
+    struct timestep_body body;
 };
 
 static double cube(double x) {
@@ -36,12 +37,31 @@ static int sort_of(const struct physics_context *c, int material, double radius,
     return material * SORTS_DENSITIES + (int)fmin(fmax(power, 0), SORTS_DENSITIES - 1);
 }
 
+/* The worse of two. */
+static void body_raise(struct timestep_body *body, const struct timestep_body *by) {
+    body->ease = fmax(body->ease, by->ease);
+    body->curved = fmax(body->curved, by->curved);
+    for (int k = 0; k < 3; k++)
+        body->seat[k] = fmax(body->seat[k], by->seat[k]);
+}
+
+/* What a physics says of particle i, or if i is SIZE_MAX of a grain that is to enter. */
+static struct timestep_body body_of(const struct physics_context *c, size_t i,
+                                    const struct physics_grain *grain) {
+    struct timestep_body body = TIMESTEP_SPHERE;
+    PHYSICS_EACH (active, c->set, joints)
+        if (active->row->joints->ease)
+            active->row->joints->ease(&active->context, i, grain, &body);
+    return body;
+}
+
 static void sorts_put(struct sorts *sorts, int sort, const struct sorts_sphere *sphere) {
     double ratio = sphere->mass / cube(sphere->radius);
     sorts->radius_min[sort] = fmin(sorts->radius_min[sort], sphere->radius);
     sorts->radius_max[sort] = fmax(sorts->radius_max[sort], sphere->radius);
     sorts->lightest[sort] = fmin(sorts->lightest[sort], ratio);
     sorts->heaviest[sort] = fmax(sorts->heaviest[sort], ratio);
+    body_raise(&sorts->body[sort], &sphere->body);
     sorts->start[sort] = fmax(sorts->start[sort], sphere->start);
     sorts->fall[sort] = fmax(sorts->fall[sort], sphere->fall);
 }
@@ -66,6 +86,7 @@ static void sorts_enter(const struct physics_context *c, struct sorts *sorts, st
         for (int k = 0; physics_part(c->set, &grain, k, &part); k++) {
             sphere.radius = part.radius;
             sphere.mass = part.mass;
+            sphere.body = body_of(c, SIZE_MAX, &grain);
             sorts_put(sorts, sort_of(c, grain.material, part.radius, part.mass), &sphere);
         }
 }
@@ -114,7 +135,8 @@ static void sorts_add(const struct physics_context *c, struct sorts *sorts, size
         lower[d] = p->x[d] - p->radius;
         upper[d] = p->x[d] + p->radius;
     }
-    struct sorts_sphere sphere = {p->radius, 1 / p->inverse_mass, v2, fall_from(c, lower, upper)};
+    struct sorts_sphere sphere = {p->radius, 1 / p->inverse_mass, v2, fall_from(c, lower, upper),
+                                  body_of(c, k, NULL)};
     sorts_put(sorts, sort_of(c, material, p->radius, sphere.mass), &sphere);
 }
 
@@ -136,6 +158,7 @@ void sorts_collect(const struct physics_context *c, struct sorts *sorts) {
     comm_min(c->comm, sorts->lightest, SORTS_MAX);
     comm_max(c->comm, sorts->radius_max, SORTS_MAX);
     comm_max(c->comm, sorts->heaviest, SORTS_MAX);
+    comm_max(c->comm, &sorts->body[0].ease, SORTS_MAX * (int)(sizeof *sorts->body / sizeof(double)));
     comm_max(c->comm, sorts->start, SORTS_MAX);
     comm_max(c->comm, sorts->fall, SORTS_MAX);
     comm_max(c->comm, sorts->fixed, LAW_MATERIALS_MAX);

@@ -5,7 +5,7 @@
 #ifndef SCREE_GRAINS_SORTS_H
 #define SCREE_GRAINS_SORTS_H
 
-#include "physics/grains/laws/law.h"
+#include "physics/grains/motion/timestep.h"
 #include "engine/physics.h"
 
 enum { SORTS_DENSITIES = 16, SORTS_MAX = LAW_MATERIALS_MAX * SORTS_DENSITIES };
@@ -13,6 +13,7 @@ enum { SORTS_DENSITIES = 16, SORTS_MAX = LAW_MATERIALS_MAX * SORTS_DENSITIES };
 struct sorts {
     double radius_min[SORTS_MAX], radius_max[SORTS_MAX]; /* length; radius_max 0: there are none */
     double lightest[SORTS_MAX], heaviest[SORTS_MAX];     /* mass / radius^3 */
+    struct timestep_body body[SORTS_MAX];                /* the worst */
     double start[SORTS_MAX]; /* square of the largest speed at the start, or of insertion; (length/time)^2 */
     double fall[SORTS_MAX];  /* square of the speed of the deepest fall from rest to a side of the box */
     double fixed[LAW_MATERIALS_MAX]; /* 1: particles with prescribed motion, or walls, of the material */

@@ -36,7 +36,8 @@ static void limits_find(const struct physics_context *c, const struct sorts *sor
             kind[n++] = (struct timestep_kind){.material = sorts_material(k),
                                                .radius_min = least,
                                                .radius_max = sorts->radius_max[k],
-                                               .mass_min = sorts->lightest[k] * (least * least * least)};
+                                               .mass_min = sorts->lightest[k] * (least * least * least),
+                                               .body = sorts->body[k]};
         }
     for (int m = 0; m < c->scene->materials; m++)
         if (sorts->fixed[m] > 0)

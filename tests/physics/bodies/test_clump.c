@@ -82,6 +82,24 @@ static void given_centre(void **state) {
     clump_free(&clump);
 }
 
+/* Members that have more inertia than the body is given: its contacts turn it more easily than they would turn them. */
+static void light(void **state) {
+    const double sphere[2][4] = {{-1, 0, 0, 1}, {1, 0, 0, 1}};
+    struct clump_options options = of_spheres(2, sphere);
+    struct clump clump;
+    struct error error = {0};
+    (void)state;
+    assert_true(clump_make(&clump, &space, 0, &options, &error));
+    assert_near(clump.ease, 1, 1e-14);
+    clump_free(&clump);
+    options.entry.mass = 1;
+    options.inertia_given = 6;
+    memcpy(options.inertia, (double[6]){0.2, 0.35, 0.35, 0, 0, 0}, sizeof options.inertia);
+    assert_true(clump_make(&clump, &space, 0, &options, &error));
+    assert_near(clump.ease, 1.4 / 0.35, 1e-7);
+    clump_free(&clump);
+}
+
 static void refused(void **state) {
     const double flat[2][4] = {{0, 0, 0, 1}, {1, 0, 0.1, 1}}, far[2][4] = {{-1, 0, 0, 1}, {1, 0, 0, 1}};
     struct clump_options options = of_spheres(2, flat);
@@ -105,4 +123,5 @@ static void refused(void **state) {
     scene_free(&scene);
 }
 
-TEST_MAIN(clump, cmocka_unit_test(dumbbell), cmocka_unit_test(given_centre), cmocka_unit_test(refused))
+TEST_MAIN(clump, cmocka_unit_test(dumbbell), cmocka_unit_test(given_centre), cmocka_unit_test(light),
+          cmocka_unit_test(refused))

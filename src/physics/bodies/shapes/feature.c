@@ -103,22 +103,22 @@ static void point_give(struct touch *touch, const struct feature *feature, doubl
     memcpy(point->normal, feature->normal, sizeof point->normal);
 }
 
-/* The norm of the overlaps. */
-static double overlap_of(const struct features *features) {
+double feature_overlap(const struct feature *feature, int count) {
     double most = 0, sum = 0;
-    for (int k = 0; k < features->count; k++)
-        most = fmax(most, features->feature[k].overlap);
-    for (int k = 0; k < features->count; k++) {
-        double part = features->feature[k].overlap / most, square = part * part;
+    for (int k = 0; k < count; k++)
+        most = fmax(most, feature[k].overlap);
+    for (int k = 0; k < count; k++) {
+        double part = feature[k].overlap / most, square = part * part;
         sum += square * square * square;
     }
     return most * cbrt(sqrt(sum));
 }
 
-void feature_sum(const struct features *features, const double apart[3], double merge, struct touch *touch) {
-    touch->overlap = overlap_of(features);
-    for (int k = 0; k < features->count; k++) {
-        const struct feature *feature = &features->feature[k];
+void feature_sum(const struct feature *all, int count, const double apart[3], double merge,
+                 struct touch *touch) {
+    touch->overlap = feature_overlap(all, count);
+    for (int k = 0; k < count; k++) {
+        const struct feature *feature = &all[k];
         const double part = feature->overlap / touch->overlap, share = part * part * part * part * part;
         double arm[2][3], push[3], torque[3];
         for (int d = 0; d < 3; d++) {

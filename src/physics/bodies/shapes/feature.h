@@ -27,7 +27,11 @@ struct feature *feature_add(struct features *features, const struct posed *a, do
 
 /* Fills the overlap, the push, the turns and the points of a contact. `merge`: features that are nearer to each other are one
  * point. */
-void feature_sum(const struct features *features, const double apart[3], double merge, struct touch *touch);
+void feature_sum(const struct feature *all, int count, const double apart[3], double merge,
+                 struct touch *touch);
+
+/* The norm d of the overlaps (touch.h). */
+double feature_overlap(const struct feature *feature, int count);
 
 /* Adds two edges, from a to b and from c to e, all about the centre of A. */
 void feature_edges(struct features *features, const struct posed *posed, double roundings,

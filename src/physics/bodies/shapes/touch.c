@@ -7,9 +7,6 @@
 #include <math.h>
 #include <string.h>
 
-/* Features of which both places differ by less than this part of the smaller rounding are one point. */
-static const double merge_part = 0.5;
-
 /* Both solids, the nearest points of their cores, and how far features may lie below these to count. */
 struct pair {
     const struct posed *a, *b;
@@ -92,46 +89,37 @@ static void deep_take(struct features *features, const struct pair *pair, double
 }
 
 bool touch_find(const struct posed *a, const struct posed *b, const double apart[3],
-                struct gjk_simplex *simplex, struct touch *touch) {
+                struct gjk_simplex *simplex, struct features *features, double normal[3]) {
     const struct gjk_set set_a = {a->core->corners, a->corner}, set_b = {b->core->corners, b->corner};
     struct pair pair = {
-        .a = a, .b = b, .apart = apart, .normal = touch->normal, .roundings = a->rounding + b->rounding};
-    struct features features;
+        .a = a, .b = b, .apart = apart, .normal = normal, .roundings = a->rounding + b->rounding};
     struct gjk_nearest nearest;
-    *touch = (struct touch){0};
-    features.count = 0;
-    if (gjk_distance(&set_a, &set_b, apart, simplex, &nearest)) {
-        if (!(nearest.distance < pair.roundings))
-            return false;
-        memcpy(touch->normal, nearest.normal, sizeof touch->normal);
-        pair.slack = pair.roundings - nearest.distance;
-        pair.top_a = top_of(a, touch->normal, 1);
-        pair.top_b = top_of(b, touch->normal, -1);
-        if (b->core->corners > 1) /* the middle of a sphere is the only feature of its contact */
-            corners_take(&features, &pair, 0);
-        if (a->core->corners > 1 || b->core->corners == 1)
-            corners_take(&features, &pair, 1);
-        edges_take(&features, &pair);
-    } else {
-        deep_take(&features, &pair, touch->normal);
+    features->count = 0;
+    if (!gjk_distance(&set_a, &set_b, apart, simplex, &nearest)) {
+        deep_take(features, &pair, normal);
+        return features->count > 0;
     }
-    if (features.count == 0)
+    if (!(nearest.distance < pair.roundings))
         return false;
-    feature_sum(&features, apart, merge_part * fmin(a->rounding, b->rounding), touch);
-    return true;
+    memcpy(normal, nearest.normal, sizeof nearest.normal);
+    pair.slack = pair.roundings - nearest.distance;
+    pair.top_a = top_of(a, normal, 1);
+    pair.top_b = top_of(b, normal, -1);
+    if (b->core->corners > 1) /* the middle of a sphere is the only feature of its contact */
+        corners_take(features, &pair, 0);
+    if (a->core->corners > 1 || b->core->corners == 1)
+        corners_take(features, &pair, 1);
+    edges_take(features, &pair);
+    return features->count > 0;
 }
 
-bool touch_plane(const struct posed *a, const double inward[3], double height, struct touch *touch) {
-    static const double apart[3] = {0};
-    struct features features;
-    *touch = (struct touch){0};
-    features.count = 0;
+bool touch_plane(const struct posed *a, const double inward[3], double height, struct features *features) {
+    double normal[3];
+    features->count = 0;
     for (int d = 0; d < 3; d++)
-        touch->normal[d] = -inward[d];
+        normal[d] = -inward[d];
     for (int k = 0; k < a->core->corners; k++)
-        feature_add(&features, a, a->rounding, height + vector_dot(inward, a->corner[k]), a->corner[k],
-                    touch->normal, touch_key(TOUCH_CORNER_A, k, 0));
-    if (features.count > 0)
-        feature_sum(&features, apart, merge_part * a->rounding, touch);
-    return features.count > 0;
+        feature_add(features, a, a->rounding, height + vector_dot(inward, a->corner[k]), a->corner[k], normal,
+                    touch_key(TOUCH_CORNER_A, k, 0));
+    return features->count > 0;
 }

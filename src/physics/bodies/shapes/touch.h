@@ -27,17 +27,17 @@
 #ifndef SCREE_SHAPES_TOUCH_H
 #define SCREE_SHAPES_TOUCH_H
 
+#include "physics/bodies/shapes/feature.h"
 #include "physics/bodies/shapes/gjk.h"
-#include "physics/bodies/shapes/posed.h"
-#include "physics/bodies/shapes/touch_point.h"
 
-/* Finds the contact of A with B, whose centre lies at `apart` from that of A. `simplex`: see gjk.h. False: they do not
- * touch. Any thread. */
+/* Finds the features of the contact of A with B, whose centre lies at `apart` from that of A, and the normal of the nearest
+ * points, a unit vector from A to B; feature_sum (feature.h) adds them up. `simplex`: see gjk.h. False: they do not touch. Any
+ * thread. */
 bool touch_find(const struct posed *a, const struct posed *b, const double apart[3],
-                struct gjk_simplex *simplex, struct touch *touch);
+                struct gjk_simplex *simplex, struct features *features, double normal[3]);
 
-/* The contact of A with a half-space, whose inward normal is a unit vector and whose plane passes at `height` below the
- * centre of A; the features are the corners of A. False: they do not touch. Any thread. */
-bool touch_plane(const struct posed *a, const double inward[3], double height, struct touch *touch);
+/* The same of A with a half-space, whose inward normal is a unit vector and whose plane passes at `height` below the
+ * centre of A; the features are the corners of A. Any thread. */
+bool touch_plane(const struct posed *a, const double inward[3], double height, struct features *features);
 
 #endif

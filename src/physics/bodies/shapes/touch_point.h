@@ -7,6 +7,7 @@
 
 enum { TOUCH_POINTS_MAX = 8 };
 #define TOUCH_PARALLEL 0.02
+#define TOUCH_MERGE 0.5 /* features that are nearer than this part of the smaller rounding are one point */
 
 /* What a point is, with its numbers: a corner of A, of B, two edges. */
 enum touch_kind { TOUCH_DEEP, TOUCH_CORNER_A, TOUCH_CORNER_B, TOUCH_EDGES };
@@ -23,7 +24,6 @@ struct touch_point {
 };
 
 struct touch {
-    double normal[3];  /* of the nearest points, unit vector from A to B */
     double overlap;    /* d */
     double push[3];    /* force on B, over E'(d) */
     double turn[2][3]; /* torques on A and on B about their centres, over E'(d) */

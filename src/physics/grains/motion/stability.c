@@ -54,7 +54,8 @@ static bool pair_contact(const struct stability *s, const struct force_context *
     }
     double inertia = a->inverse_mass + b->inverse_mass;
     const uint8_t *number = material_numbers(p);
-    if (!(square < far * far) || !(inertia > 0.0))
+    if (!(square < far * far) || !(inertia > 0.0) ||
+        (context->joined && context->joined(context->joined_context, i, j)))
         return false;
     double distance = sqrt(square);
     for (int d = 0; d < 3; d++)
@@ -86,6 +87,15 @@ static void add_tensor(double *sum, double along, double across, const double n[
     static const int row[6] = {0, 1, 2, 0, 0, 1}, column[6] = {0, 1, 2, 1, 2, 2};
     for (int c = 0; c < 6; c++)
         add(&sum[c], (along - across) * n[row[c]] * n[column[c]] + (c < 3 ? across : 0.0), shared);
+}
+
+void stability_bound(struct stability *s, size_t i, double bound) {
+    double *sum = s->sum + i * (size_t)s->sums;
+    for (int c = 0; c < 3; c++) {
+        add(&sum[c], bound, true);
+        if (s->sums != STABILITY_PUSH)
+            add(&sum[6 + c], bound, true);
+    }
 }
 
 /* Adds the part of a contact to particle i; `sign` turns the normal outwards. */

@@ -47,6 +47,9 @@ struct stability_contact {
 void stability_add(struct stability *stability, const struct particles *particles, size_t i,
                    const struct stability_contact *contact);
 
+/* Raises L of particle i, owned or a copy, by a bound, whatever the direction. Any thread. */
+void stability_bound(struct stability *stability, size_t i, double bound);
+
 /* Makes room for the particles of the context, all sums 0; free releases. One thread. */
 void stability_create(struct stability *stability, const struct force_context *context, double step);
 void stability_free(struct stability *stability);

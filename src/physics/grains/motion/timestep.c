@@ -9,12 +9,16 @@
 /* Contacts of a particle with its like at a time, in three dimensions and in two. */
 enum { TIMESTEP_CONTACTS_3D = 12, TIMESTEP_CONTACTS_2D = 6 };
 
+/* Contacts along faces at a time: a rock lies on one and carries another. */
+enum { TIMESTEP_SEATS = 2 };
+
 static const double timestep_overlap_relative = 1e-3;
 
 /* A kind at its smallest or largest radius, with the largest stiffness that its contacts may give. */
 struct timestep_side {
     const struct timestep_kind *kind;
     double radius, inverse_mass;     /* of a wall: infinite, 0 */
+    double curved;                   /* radius of the surface at contacts */
     double stiffness, damping;       /* local values: 1/time^2, 1/time */
     double stable;                   /* least step that a partner alone would set */
     double frequency, damping_ratio; /* of one contact with this partner */
@@ -79,7 +83,7 @@ static struct timestep_meeting timestep_meet(const struct timestep_input *input,
                                              const struct timestep_side *a, const struct timestep_side *b) {
     const struct law *law = input->law;
     struct timestep_meeting m = {.mass = 1.0 / (a->inverse_mass + b->inverse_mass),
-                                 .radius = 1.0 / (1.0 / a->radius + 1.0 / b->radius)};
+                                 .radius = 1.0 / (1.0 / a->curved + 1.0 / b->curved)};
     int p = a->kind->material, q = b->kind->material;
     double least = input->overlap_relative > 0.0 ? input->overlap_relative : timestep_overlap_relative;
     double reached = law_impact_of(&law->options, law_pair_of(law, p, q), law_extra_of(law, p, q), m.mass,
@@ -124,12 +128,14 @@ static void timestep_surround(const struct timestep_input *input, struct timeste
            square = a->radius * a->radius;
     if (a->inverse_mass == 0.0)
         return;
+    const double ease = a->kind->body.ease, *seat = a->kind->body.seat;
     double stiffness =
-        timestep_local(input->dimension, n, s->k_n, s->k_t, s->k_r * share * share + s->k_w / square) *
-        a->inverse_mass;
+        timestep_local(input->dimension, n, s->k_n, s->k_t, s->k_r * share * share + s->k_w / square);
     double damping =
-        timestep_local(input->dimension, n, s->c_n, s->c_t, s->c_r * share * share + s->c_w / square) *
-        a->inverse_mass;
+        timestep_local(input->dimension, n, s->c_n, s->c_t, s->c_r * share * share + s->c_w / square);
+    stiffness =
+        a->inverse_mass * fmax(ease * stiffness, TIMESTEP_SEATS * (seat[0] * s->k_n + seat[2] * s->k_t));
+    damping = a->inverse_mass * fmax(ease * damping, TIMESTEP_SEATS * (seat[1] * s->c_n + seat[2] * s->c_t));
     double stable = timestep_bound(stiffness, damping, 1.0);
     a->stiffness = fmax(a->stiffness, stiffness);
     a->damping = fmax(a->damping, damping);
@@ -149,10 +155,12 @@ static int timestep_sides(const struct timestep_input *input, struct timestep_si
         const double radius[2] = {kind->radius_min, kind->radius_max};
         int ends = kind->wall || !(kind->radius_max > kind->radius_min) ? 1 : 2;
         for (int e = 0; e < ends; e++) {
-            struct timestep_side s = {.kind = kind, .radius = INFINITY, .stable = INFINITY};
+            struct timestep_side s = {
+                .kind = kind, .radius = INFINITY, .curved = INFINITY, .stable = INFINITY};
             double relative = radius[e] / kind->radius_min;
             if (!kind->wall) {
                 s.radius = radius[e];
+                s.curved = radius[e] * kind->body.curved;
                 s.inverse_mass = 1.0 / (kind->mass_min * relative * relative * relative);
             }
             side[n++] = s;

@@ -18,6 +18,17 @@
 
 #include "physics/grains/laws/law.h"
 
+/* What sets a particle of a rigid body apart from a sphere of its radius and mass. */
+struct timestep_body {
+    double ease;   /* its stiffness over mass and inertia, as a sphere, counts x this; at least 1 */
+    double curved; /* radius of its surface at contacts over its own */
+    double seat
+        [3]; /* a contact along its faces: largest eigenvalues over k_n/m, c_n/m, and k_t/m or c_t/m; 0: it has none */
+};
+
+/* That of a sphere. */
+#define TIMESTEP_SPHERE ((struct timestep_body){1, 1, {0, 0, 0}})
+
 /* One kind of particle present: its material and the range of radii; or a wall (or prescribed particles),
  * which have no mass to move and no radius that counts. */
 struct timestep_kind {
@@ -26,6 +37,7 @@ struct timestep_kind {
     double radius_min, radius_max; /* of free particles of this material, length */
     double mass_min;               /* of the smallest; others scale with radius^3: where densities differ, the
                                       least density x its volume */
+    struct timestep_body body;     /* the worst of its particles */
 };
 
 struct timestep_input {

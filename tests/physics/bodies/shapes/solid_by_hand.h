@@ -5,7 +5,7 @@
 
 #include "base/random.h"
 #include "physics/bodies/rotor.h"
-#include "physics/bodies/shapes/posed.h"
+#include "physics/bodies/shapes/touch.h"
 #include <math.h>
 #include <string.h>
 
@@ -75,6 +75,18 @@ static inline bool by_hand_rock(struct by_hand *rock, struct random_sequence *ra
         solid_free(&rock->core);
     }
     return false;
+}
+
+/* The contact of two solids, its features added up; false: none. */
+static inline bool by_hand_touch(const struct posed *a, const struct posed *b, const double apart[3],
+                                 struct gjk_simplex *simplex, struct touch *touch) {
+    struct features features;
+    double normal[3];
+    *touch = (struct touch){0};
+    if (!touch_find(a, b, apart, simplex, &features, normal))
+        return false;
+    feature_sum(features.feature, features.count, apart, TOUCH_MERGE * fmin(a->rounding, b->rounding), touch);
+    return true;
 }
 
 #endif

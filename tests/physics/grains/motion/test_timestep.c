@@ -88,7 +88,8 @@ static void test_chain(void **state) {
         options.tangential = LAW_FRICTIONLESS;
         pair[0][0] = (struct law_pair){.k_n = 7.0, .gamma_n = 2.0 * damping[k]}; /* m* = 1/2 */
         OWN_LAW law = prepared(options, 1, &m);
-        const struct timestep_kind kind = {.radius_min = 1.0, .radius_max = 1.0, .mass_min = 1.0};
+        const struct timestep_kind kind = {
+            .radius_min = 1.0, .radius_max = 1.0, .mass_min = 1.0, .body = TIMESTEP_SPHERE};
         struct timestep_limits limits = limits_for(&law, &m, 1, &kind, 2, 0.0);
         assert_near(limits.frequency, sqrt(14.0), 1e-12);
         assert_near(limits.damping_ratio, damping[k] / sqrt(14.0), 1e-12);
@@ -130,7 +131,7 @@ static void test_tangential_mode(void **state) {
             pair[0][0] = (struct law_pair){
                 .friction = 1.0, .rolling_friction = 1.0, .k_n = 7.0, .k_t = 7.0, .gamma_t = damping[k]};
             OWN_LAW law = prepared(options, 1, &m);
-            const struct timestep_kind kind[2] = {{0, false, 1.0, 1.0, 1.0}, {.wall = true}};
+            const struct timestep_kind kind[2] = {{0, false, 1.0, 1.0, 1.0, TIMESTEP_SPHERE}, {.wall = true}};
             struct timestep_limits spheres = limits_for(&law, &m, 1, kind, 1, 0.0);
             struct timestep_limits both = limits_for(&law, &m, 2, kind, 1, 0.0);
             /* m* is half a mass, R* half a radius */
@@ -156,7 +157,8 @@ static void test_bidisperse(void **state) {
                 .friction = 0.5, .k_n = 1000.0, .k_t = 1000.0 * 2.0 / 7.0, .gamma_n = 50.0, .gamma_t = 25.0};
     OWN_LAW law = prepared(options, 2, m);
     double mass = 4.0 / 3.0 * M_PI;
-    const struct timestep_kind kind[2] = {{0, false, 1.0, 1.0, mass}, {1, false, 10.0, 10.0, 1000.0 * mass}};
+    const struct timestep_kind kind[2] = {{0, false, 1.0, 1.0, mass, TIMESTEP_SPHERE},
+                                          {1, false, 10.0, 10.0, 1000.0 * mass, TIMESTEP_SPHERE}};
     struct timestep_limits small = limits_for(&law, m, 1, kind, 0, 0.0);
     struct timestep_limits large = limits_for(&law, m, 1, kind + 1, 0, 0.0);
     struct timestep_limits both = limits_for(&law, m, 2, kind, 0, 0.0);
@@ -181,8 +183,9 @@ static void test_penetration(void **state) {
     pair[0][1] = (struct law_pair){.restitution = 0.4, .friction = 0.2};
     pair[1][1] = (struct law_pair){.restitution = 0.6, .friction = 0.5};
     double glass = 4.0 / 3.0 * M_PI * 1e-9 * 2500.0, ball = 4.0 / 3.0 * M_PI * 1e-6 * 7200.0;
-    const struct timestep_kind kind[3] = {
-        {0, false, 1e-3, 1e-3, glass}, {1, false, 1e-2, 1e-2, ball}, {.material = 1, .wall = true}};
+    const struct timestep_kind kind[3] = {{0, false, 1e-3, 1e-3, glass, TIMESTEP_SPHERE},
+                                          {1, false, 1e-2, 1e-2, ball, TIMESTEP_SPHERE},
+                                          {.material = 1, .wall = true}};
     for (int equal = 0; equal < 2; equal++) {
         options.tangential_damping_equal = equal;
         OWN_LAW law = prepared(options, 2, m);
@@ -207,7 +210,8 @@ static void test_hertz_frequency(void **state) {
     pair[0][0] = (struct law_pair){.restitution = 1.0};
     OWN_LAW law = prepared(options, 1, &m);
     double mass = 4.0 / 3.0 * M_PI * 1e-6 * 2800.0;
-    const struct timestep_kind kind = {.radius_min = 0.01, .radius_max = 0.01, .mass_min = mass};
+    const struct timestep_kind kind = {
+        .radius_min = 0.01, .radius_max = 0.01, .mass_min = mass, .body = TIMESTEP_SPHERE};
     struct timestep_limits limits = limits_for(&law, &m, 1, &kind, 1, 20.0);
     double overlap = 274.11e-6, force = 10.697e3; /* Chung and Ooi 2011, test 1 */
     assert_near(limits.frequency / sqrt(1.5 * force / overlap / (0.5 * mass)), 1.0, 1e-3);

@@ -1,0 +1,50 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
+/* The two ends of a contact of rocks as they stand, and its features: what forces and stability both ask for. */
+#ifndef SCREE_BODIES_ROCKS_ENDS_H
+#define SCREE_BODIES_ROCKS_ENDS_H
+
+#include "physics/bodies/rocks_state.h"
+#include "physics/bodies/shapes/feature.h"
+#include "physics/grains/laws/law_kernel.h"
+#include "physics/grains/walls/wall.h"
+
+/* What all contacts of an evaluation share. */
+struct rocks_scene {
+    const struct physics_context *context;
+    const struct rocks *rocks;
+    const struct particles *particles;
+    const struct pairlist *list;
+    const struct walls *walls;
+    const struct law *law;
+    struct law_case law_case;
+    struct law_step step;
+    const double (*omega)[4];
+    const uint8_t *material;
+};
+
+/* Both ends of a contact. */
+struct rocks_ends {
+    struct posed posed[2];
+    double apart[3], centre[3]; /* centre: of the first end */
+    double mass, radius;        /* effective */
+    double ball;                /* the smaller radius of both balls */
+    const struct law_coefficients *coefficients;
+    const struct law_extra *extra;
+    double turn[9]; /* of the first end */
+};
+
+/* Fills what contacts share, and brings all rocks to their orientations. Opens its own team. */
+void rocks_scene_make(struct rocks *rocks, const struct physics_context *context, struct rocks_scene *scene);
+
+/* Fills both ends; false: they cannot touch, or nothing moves them. Any thread. */
+bool rocks_ends_make(const struct rocks_scene *scene, const struct rocks_pair *pair, struct rocks_ends *ends);
+
+/* Finds the features of a pair's contact; returns their number. Any thread, once a pair. */
+int rocks_features(const struct rocks_scene *scene, struct rocks_pair *pair, const struct rocks_ends *ends,
+                   struct features *features);
+
+/* The normal springs of the law at an overlap. Any thread. */
+struct law_springs rocks_springs(const struct rocks_scene *scene, const struct rocks_ends *ends,
+                                 double overlap);
+
+#endif
