@@ -71,7 +71,7 @@ nobase_dist_pkgdata_SCRIPTS = \
 	%D%/ballast/check %D%/ballast/run.sh %D%/bead_packing/breakthrough.sh %D%/bead_packing/check %D%/bead_packing/picture.sh %D%/bead_packing/run.sh \
 	%D%/bead_packing/section.sh %D%/bed_erosion/check %D%/bed_erosion/run.sh %D%/bed_erosion/section.sh \
 	%D%/bench/auto.sh %D%/bench/bidisperse.sh %D%/bench/cells.sh %D%/bench/chute.sh %D%/bench/cohesion.sh \
-	%D%/bench/compare.sh %D%/bench/continuous.sh %D%/bench/fluid.sh %D%/bench/growth.sh %D%/bench/guards.sh \
+	%D%/bench/compare.sh %D%/bench/continuous.sh %D%/bench/fluid.sh %D%/bench/growth.sh %D%/bench/guards.sh %D%/bench/hard.sh \
 	%D%/bench/needs.sh %D%/bench/page.sh %D%/bench/penetration.sh %D%/bench/report.sh %D%/bench/roofline.sh \
 	%D%/bench/skin.sh %D%/bench/table1.sh %D%/bench/univol.sh %D%/bidisperse/check %D%/bidisperse/run.sh \
 	%D%/blade/check %D%/blade/run.sh %D%/cavity/check %D%/cavity/run.sh %D%/columns/run.sh %D%/crushing/check \
