@@ -73,22 +73,24 @@ nobase_dist_pkgdata_SCRIPTS = \
 	%D%/ballast/check %D%/ballast/run.sh %D%/bead_packing/breakthrough.sh %D%/bead_packing/check \
 	%D%/bead_packing/picture.sh %D%/bead_packing/run.sh %D%/bead_packing/section.sh %D%/bed_erosion/check \
 	%D%/bed_erosion/run.sh %D%/bed_erosion/section.sh %D%/bench/auto.sh %D%/bench/bidisperse.sh \
-	%D%/bench/cells.sh %D%/bench/chute.sh %D%/bench/cohesion.sh %D%/bench/compare.sh %D%/bench/continuous.sh \
-	%D%/bench/fluid.sh %D%/bench/growth.sh %D%/bench/guards.sh %D%/bench/needs.sh %D%/bench/page.sh \
-	%D%/bench/penetration.sh %D%/bench/report.sh %D%/bench/roofline.sh %D%/bench/skin.sh %D%/bench/table1.sh \
-	%D%/bench/univol.sh %D%/bench/water.sh %D%/bidisperse/check %D%/bidisperse/run.sh %D%/blade/check \
-	%D%/blade/run.sh %D%/cavity/check %D%/cavity/run.sh %D%/columns/run.sh %D%/crushing/check \
-	%D%/crushing/run.sh %D%/dosta2024/measure.sh %D%/dosta2024/page.sh %D%/dosta2024/run.sh %D%/drum/check \
-	%D%/drum/lammps/run.sh %D%/drum/run.sh %D%/dumbbells/check %D%/dumbbells/run.sh %D%/electroosmosis/check \
-	%D%/electroosmosis/run.sh %D%/electroosmosis/section.sh %D%/ergun/check %D%/ergun/run.sh \
-	%D%/ergun/section.sh %D%/flow.sh %D%/fluid_scaling/run.sh %D%/fluid_scaling/section.sh \
-	%D%/fluidised_bed/check %D%/fluidised_bed/run.sh %D%/fluidised_bed/section.sh %D%/gallery/check \
-	%D%/gallery/run.sh %D%/gate/check %D%/gate/run.sh %D%/hard/run.sh %D%/heated_drum/check \
-	%D%/heated_drum/run.sh %D%/lammps/check %D%/lammps/make.sh %D%/penetration/check \
-	%D%/penetration/lammps/run.sh %D%/penetration/layouts %D%/penetration/run.sh %D%/pores.sh %D%/pupcs/run.sh \
-	%D%/pupcs/sizes.sh %D%/repose/check %D%/repose/run.sh %D%/scaling/ghosts.sh %D%/scaling/page.sh \
-	%D%/scaling/run.sh %D%/settling/check %D%/settling/run.sh %D%/settling/section.sh %D%/shear_cell/check \
-	%D%/shear_cell/run.sh %D%/solver/run.sh %D%/speed-error.sh %D%/sphere_array/check %D%/sphere_array/run.sh \
-	%D%/step-fraction.sh %D%/taylor_green/check %D%/taylor_green/run.sh %D%/tumbling/check %D%/tumbling/run.sh \
-	%D%/tumbling/section.sh %D%/two_sizes/check %D%/two_sizes/run.sh %D%/water_bed/check %D%/water_bed/run.sh \
-	%D%/wet_pile/check %D%/wet_pile/run.sh %D%/yade/run.sh
+	%D%/bench/cells.sh %D%/bench/chute.sh %D%/bench/cohesion.sh %D%/bench/compare.sh \
+	%D%/bench/continuous.sh %D%/bench/fluid.sh %D%/bench/growth.sh %D%/bench/guards.sh %D%/bench/hard.sh \
+	%D%/bench/needs.sh %D%/bench/page.sh %D%/bench/penetration.sh %D%/bench/report.sh \
+	%D%/bench/roofline.sh %D%/bench/skin.sh %D%/bench/table1.sh %D%/bench/univol.sh %D%/bench/water.sh \
+	%D%/bidisperse/check %D%/bidisperse/run.sh %D%/blade/check %D%/blade/run.sh %D%/cavity/check \
+	%D%/cavity/run.sh %D%/columns/run.sh %D%/crushing/check %D%/crushing/run.sh %D%/dosta2024/measure.sh \
+	%D%/dosta2024/page.sh %D%/dosta2024/run.sh %D%/drum/check %D%/drum/lammps/run.sh %D%/drum/run.sh \
+	%D%/dumbbells/check %D%/dumbbells/run.sh %D%/electroosmosis/check %D%/electroosmosis/run.sh \
+	%D%/electroosmosis/section.sh %D%/ergun/check %D%/ergun/run.sh %D%/ergun/section.sh %D%/flow.sh \
+	%D%/fluid_scaling/run.sh %D%/fluid_scaling/section.sh %D%/fluidised_bed/check \
+	%D%/fluidised_bed/run.sh %D%/fluidised_bed/section.sh %D%/gallery/check %D%/gallery/run.sh \
+	%D%/gate/check %D%/gate/run.sh %D%/hard/run.sh %D%/heated_drum/check %D%/heated_drum/run.sh \
+	%D%/lammps/check %D%/lammps/make.sh %D%/penetration/check %D%/penetration/lammps/run.sh \
+	%D%/penetration/layouts %D%/penetration/run.sh %D%/pores.sh %D%/pupcs/run.sh %D%/pupcs/sizes.sh \
+	%D%/repose/check %D%/repose/run.sh %D%/scaling/ghosts.sh %D%/scaling/page.sh %D%/scaling/run.sh \
+	%D%/settling/check %D%/settling/run.sh %D%/settling/section.sh %D%/shear_cell/check \
+	%D%/shear_cell/run.sh %D%/solver/run.sh %D%/speed-error.sh %D%/sphere_array/check \
+	%D%/sphere_array/run.sh %D%/step-fraction.sh %D%/taylor_green/check %D%/taylor_green/run.sh \
+	%D%/tumbling/check %D%/tumbling/run.sh %D%/tumbling/section.sh %D%/two_sizes/check \
+	%D%/two_sizes/run.sh %D%/water_bed/check %D%/water_bed/run.sh %D%/wet_pile/check %D%/wet_pile/run.sh \
+	%D%/yade/run.sh

@@ -64,7 +64,7 @@ one_run() {
 for scenario in ${SCENARIOS:-sparse sparse-physical dense large sparse-hard dense-hard large-hard}; do
     case $scenario in
     sparse-physical) scene=sparse more='--set step.dt=0.25' ;;
-    *-hard) # ten sweeps a step, which moves a grain by up to some eighth of its radius
+    *-hard) # ten sweeps a step, each moves a grain by up to a seventh of its radius
         scene=${scenario%-hard} more='--set contact.law=rigid --set contact.solver.sweeps=10 --set contact.solver.tolerance=0'
         case $scene in
         sparse) more="$more --set step.dt=0.1 --set skin=null --set material_pairs[0].restitution=0.9" ;;

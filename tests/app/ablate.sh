@@ -217,12 +217,12 @@ guards: {residual: "off"}
 EOS
 solved() {
     on 1 "$scree" ablate solved.yaml --error -o solved --samples 5 --repeat 1 --members 2 --young 2e7 --only explicit,solver --vary contact.solver.repair=0.001 >said 2>told || { cat said told; return 1; }
-    grep -q '^scree: reference 3 of 3: explicit 20 MPa, 0.15 of stable step, ' told && grep -q 'contact_sweeps .*(not judged)' said || { cat said told; return 1; }
+    grep -q '^scree: reference 3 of 3: explicit 20 MPa at 0.15 of stable step, ' told && grep -q 'contact_sweeps .*(not judged)' said || { cat said told; return 1; }
     # softer is farther from the reference, and takes longer steps; the scene's own is near it
     /usr/bin/python3 - <<'EOP'
 import json
 rows = {r['settings']: r for r in (json.loads(line) for line in open('solved/speed_error.jsonl'))}
-soft, real, hard = rows['explicit 5 MPa, 0.6 of stable step'], rows['explicit 20 MPa, 0.6 of stable step'], rows['as it is']
+soft, real, hard = rows['explicit 5 MPa at 0.6 of stable step'], rows['explicit 20 MPa at 0.6 of stable step'], rows['as it is']
 for name in ('4 sweeps', '36 sweeps', 'kappa 9.87', 'kappa 394.8', 'newton', 'contact.solver.repair=0.001'):
     assert name in rows, (name, list(rows))
 assert real['heap_z_error'] < soft['heap_z_error'], (real, soft)

@@ -57,7 +57,7 @@ static int put_explicit(struct variant *list, int count, const struct scene *sce
                  : giga ? " GPa"
                         : " MPa");
     for (int k = 0; k < 2; k++) {
-        snprintf(settings, sizeof settings, "explicit%s, %g of stable step", modulus, part[k]);
+        snprintf(settings, sizeof settings, "explicit%s at %g of stable step", modulus, part[k]);
         explicit_write(scene, young, part[k], set);
         count = variant_put(list, count, "explicit", settings, set);
     }
