@@ -63,7 +63,8 @@ nobase_dist_pkgdata_DATA = \
 	%D%/scaling/README.md %D%/scaling/boulders.awk %D%/scaling/boulders.yaml %D%/scaling/figures.awk \
 	%D%/scaling/hybrid.gp %D%/scaling/job.slurm %D%/scaling/lines.awk %D%/scaling/model.awk \
 	%D%/scaling/model.gp %D%/scaling/ranks.gp %D%/scaling/scene.yaml %D%/scaling/speed.gp \
-	%D%/scaling/tables.awk %D%/settling/README.md %D%/settling/liquids.txt %D%/settling/picture.gp \
+	%D%/scaling/tables.awk %D%/scour/README.md %D%/scour/onset.yaml %D%/scour/picture.gp \
+	%D%/scour/scene.yaml %D%/scour/stream.txt %D%/settling/README.md %D%/settling/liquids.txt %D%/settling/picture.gp \
 	%D%/settling/scene.yaml %D%/shear_cell/README.md %D%/shear_cell/scene.yaml %D%/sphere_array/README.md \
 	%D%/sphere_array/scene.yaml %D%/taylor_green/README.md %D%/taylor_green/scene.yaml %D%/tumbling/README.md \
 	%D%/tumbling/picture.gp %D%/tumbling/scene.yaml %D%/two_sizes/README.md %D%/two_sizes/picture.gp \
@@ -88,7 +89,7 @@ nobase_dist_pkgdata_SCRIPTS = \
 	%D%/heated_drum/run.sh %D%/lammps/check %D%/lammps/make.sh %D%/penetration/check \
 	%D%/penetration/lammps/run.sh %D%/penetration/layouts %D%/penetration/run.sh %D%/pores.sh \
 	%D%/pupcs/run.sh %D%/pupcs/sizes.sh %D%/repose/check %D%/repose/run.sh %D%/scaling/ghosts.sh \
-	%D%/scaling/page.sh %D%/scaling/run.sh %D%/settling/check %D%/settling/run.sh %D%/settling/section.sh \
+	%D%/scaling/page.sh %D%/scaling/run.sh %D%/scour/check %D%/scour/run.sh %D%/settling/check %D%/settling/run.sh %D%/settling/section.sh \
 	%D%/shear_cell/check %D%/shear_cell/run.sh %D%/speed-error.sh %D%/sphere_array/check \
 	%D%/sphere_array/run.sh %D%/step-fraction.sh %D%/taylor_green/check %D%/taylor_green/run.sh \
 	%D%/tumbling/check %D%/tumbling/run.sh %D%/tumbling/section.sh %D%/two_sizes/check %D%/two_sizes/run.sh \
