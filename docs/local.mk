@@ -19,7 +19,7 @@ EXTRA_DIST += \
 	%D%/images/scaling-hybrid.svg %D%/images/scaling-model.svg %D%/images/scaling-ranks.svg \
 	%D%/images/scaling-sizes.svg %D%/images/scaling-speed.svg %D%/images/settling.png %D%/images/site.png \
 	%D%/images/speed-error-angle.svg %D%/images/speed-error-column.svg %D%/images/speed-error-drum.svg \
-	%D%/images/speed-error-penetration.svg %D%/images/tumbling.png %D%/images/tutorial.png \
+	%D%/images/scour.png %D%/images/speed-error-penetration.svg %D%/images/tumbling.png %D%/images/tutorial.png \
 	%D%/images/two-sizes.png %D%/images/verify-beverloo-3d.svg %D%/images/verify-beverloo.svg \
 	%D%/images/verify-bonded-cantilever.svg %D%/images/verify-bouncing.svg %D%/images/verify-bowl.svg \
 	%D%/images/verify-capillary-bridge.svg %D%/images/verify-chain.svg %D%/images/verify-chung-ooi-1.svg \
