@@ -163,7 +163,6 @@ check 'refused: no shape' refused 'needs one of vertices, file and random' --set
 check 'refused: a rounding that leaves nothing' refused 'leaves no core' --set "$(shape "$cube, rounding: 0.5")"
 check 'refused: no bodies' refused 'needs clumps or shapes' --set bodies.shapes='[]'
 check 'refused: a periodic box that is too small' refused 'as large as a periodic edge' --set 'box={lower: [0, 0, 0], upper: [1.5, 5, 5], periodic: true}' --set particles.radius=0.7 --set walls='[]' --set observables.list='[{name: energy}]'
-check 'refused: a wall that is no plane' refused "the wall 'drum' has another shape" --set 'walls[0]={name: drum, shape: cylinder, point: [0, 0, 0], axis: [0, 1, 0], radius: 4}' --set observables.list='[{name: energy}]'
 check 'refused: cohesion' refused 'is for spheres' --set contact='{law: hertz, cohesion: {law: dmt}}' --set 'materials=[{name: rock, density: 1, young: 1e6, poisson: 0.3}]' --set 'material_pairs=[{restitution: 0.3, friction: 0.5, surface_energy: 1}]'
 check 'refused: a solver of contacts' refused 'not with\|spheres alone\|bodies' --set contact='{law: rigid, solver: {sweeps: 10}}' --set 'material_pairs=[{restitution: 0.3, friction: 0.5}]'
 check 'refused: a list of contacts' refused 'knows none of rocks' --set output.trajectory.contacts=100

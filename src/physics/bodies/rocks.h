@@ -10,7 +10,7 @@
  *   overlap     that of the contact; the elastic force goes along the slopes of its energy, friction, dampers and energies of
  *               a point are its share
  *   normal      of each point
- *   R*          r_a r_b / (r_a + r_b) of the roundings; of a plane the rounding
+ *   R*          r_a r_b / (r_a + r_b) of the roundings; of a wall the rounding
  *   mass        of both bodies as they are, without their rotation
  *   velocity    that of the two surfaces at the point, of the last half step
  *   springs     of each point, found again by its features, else by its place on the rock with the lower id

@@ -26,17 +26,6 @@ static bool check_law(const struct physics_context *context, struct error *error
     return true;
 }
 
-static bool check_walls(const struct physics_context *context, struct error *error) {
-    const struct scene *scene = context->scene;
-    for (int w = 0; w < scene->walls; w++)
-        if (scene->wall[w].shape != WALL_PLANE)
-            return scene_fail(
-                scene, error, "bodies.shapes",
-                "rocks touch walls of shape plane; the wall '%s' has another shape (not built yet)",
-                scene->wall[w].name);
-    return true;
-}
-
 bool rocks_check(const struct physics_context *context, struct error *error) {
     const struct bodies_options *options = context->options;
     const struct scene *scene = context->scene;
@@ -52,5 +41,5 @@ bool rocks_check(const struct physics_context *context, struct error *error) {
     if (output_interval_set(&scene->output.walls.every))
         return scene_fail(scene, error, "output.walls",
                           "the loads on walls know none of rocks (bodies.shapes): not built yet");
-    return check_law(context, error) && check_walls(context, error);
+    return check_law(context, error);
 }

@@ -60,6 +60,12 @@ bool rocks_ends_make(const struct rocks_scene *scene, const struct rocks_pair *p
     ends->ball = a->radius;
     memcpy(ends->centre, a->x, sizeof ends->centre);
     memcpy(ends->turn, ends->posed[0].turn, sizeof ends->turn);
+    if (pair->wall >= 0) {
+        double shift[3];
+        walls_group_shift(scene->walls, &pair->group, shift);
+        for (int d = 0; d < 3; d++)
+            ends->centre[d] -= shift[d];
+    }
     if (pair->wall < 0) {
         b = &scene->particles->state[pair->end[1]];
         inverse += b->inverse_mass;
@@ -78,24 +84,34 @@ bool rocks_ends_make(const struct rocks_scene *scene, const struct rocks_pair *p
     return inverse > 0;
 }
 
-/* The features of a contact with a plane. */
-static bool plane_features(const struct rocks_scene *scene, const struct rocks_pair *pair,
-                           const struct rocks_ends *ends, struct features *features) {
-    double point[3], inward[3], height = 0;
-    walls_plane(scene->walls, pair->wall, point, inward);
-    for (int d = 0; d < 3; d++)
-        height += inward[d] * (ends->centre[d] - point[d]);
-    return touch_plane(&ends->posed[0], inward, height, features);
+/* Brings groups together, in their order. */
+static void groups_sort(struct features *features) {
+    for (int k = 1; k < features->count; k++) {
+        struct feature one = features->feature[k];
+        int at = k;
+        for (; at > 0 && features->feature[at - 1].group > one.group; at--)
+            features->feature[at] = features->feature[at - 1];
+        features->feature[at] = one;
+    }
+}
+
+int rocks_group(const struct features *features, int from) {
+    int end = from + 1;
+    while (end < features->count && features->feature[end].group == features->feature[from].group)
+        end++;
+    return end - from;
 }
 
 int rocks_features(const struct rocks_scene *scene, struct rocks_pair *pair, const struct rocks_ends *ends,
-                   struct features *features) {
+                   struct walls_probe *probe, struct features *features) {
     double normal[3];
     features->count = 0;
-    if (pair->wall >= 0)
-        plane_features(scene, pair, ends, features);
-    else
+    if (pair->wall >= 0) {
+        rocks_wall_features(scene, pair, ends, probe, features);
+        groups_sort(features);
+    } else {
         touch_find(&ends->posed[0], &ends->posed[1], ends->apart, &pair->simplex, features, normal);
+    }
     return features->count;
 }
 

@@ -25,7 +25,7 @@ struct rocks_scene {
 /* Both ends of a contact. */
 struct rocks_ends {
     struct posed posed[2];
-    double apart[3], centre[3]; /* centre: of the first end */
+    double apart[3], centre[3]; /* centre: of the first end; of a wall in its image */
     double mass, radius;        /* effective */
     double ball;                /* the smaller radius of both balls */
     const struct law_coefficients *coefficients;
@@ -39,9 +39,19 @@ void rocks_scene_make(struct rocks *rocks, const struct physics_context *context
 /* Fills both ends; false: they cannot touch, or nothing moves them. Any thread. */
 bool rocks_ends_make(const struct rocks_scene *scene, const struct rocks_pair *pair, struct rocks_ends *ends);
 
-/* Finds the features of a pair's contact; returns their number. Any thread, once a pair. */
+/* Finds the features of a pair's contacts, group by group; returns their number. Any thread, once a pair, with a probe of the
+ * thread's own. */
 int rocks_features(const struct rocks_scene *scene, struct rocks_pair *pair, const struct rocks_ends *ends,
-                   struct features *features);
+                   struct walls_probe *probe, struct features *features);
+
+/* The features of a group, from `from` on, which is not the end: their number. */
+int rocks_group(const struct features *features, int from);
+
+/* Those of the first end with a wall: each corner as a sphere, the edges of the rock with those of the wall, and vertices of the
+ * wall with the rock. Each feature is a group, but those with a plane or an endless cylinder, which are one: where a corner goes from
+ * one feature of a wall to the next, no other one may change with it. */
+void rocks_wall_features(const struct rocks_scene *scene, const struct rocks_pair *pair,
+                         const struct rocks_ends *ends, struct walls_probe *probe, struct features *features);
 
 /* The normal springs of the law at an overlap. Any thread. */
 struct law_springs rocks_springs(const struct rocks_scene *scene, const struct rocks_ends *ends,

@@ -138,41 +138,106 @@ static void push_act(struct rocks_pair *pair, const struct rocks_ends *ends, con
     force_add_virial(pair->sums.virial, 1, branch, force);
 }
 
-/* The contact of a pair in this evaluation. */
-static void pair_act(const struct rocks_scene *scene, struct rocks_pair *pair) {
+/* A point of one of the contacts of a pair. */
+struct chosen {
+    int contact, point;
+    double weight; /* of the force there */
+};
+
+/* The contacts of a pair: one, or those with the features of a wall. */
+enum { CONTACTS_MAX = 64 };
+struct contacts {
+    int count, points;
+    struct touch touch[CONTACTS_MAX];
+    double spring[CONTACTS_MAX], energy[CONTACTS_MAX];
+    struct chosen point[TOUCH_POINTS_MAX];
+};
+
+/* Takes a point; where there is no room, the one with the least force goes. */
+static void point_choose(struct contacts *contacts, int contact, int point, double weight) {
+    int least = 0;
+    for (int k = 1; k < contacts->points; k++)
+        least = contacts->point[k].weight < contacts->point[least].weight ? k : least;
+    if (contacts->points < TOUCH_POINTS_MAX)
+        least = contacts->points++;
+    else if (contacts->point[least].weight >= weight)
+        return;
+    contacts->point[least] = (struct chosen){contact, point, weight};
+}
+
+/* Adds up the features of each contact. The last one has the rest, should there be too many. */
+static void contacts_make(const struct rocks_scene *scene, const struct rocks_ends *ends,
+                          const struct features *features, double merge, struct contacts *contacts) {
+    contacts->count = contacts->points = 0;
+    for (int from = 0, count; from < features->count; from += count) {
+        const int c = contacts->count++;
+        struct touch *touch = &contacts->touch[c];
+        count = c + 1 < CONTACTS_MAX ? rocks_group(features, from) : features->count - from;
+        *touch = (struct touch){0};
+        feature_sum(features->feature + from, count, ends->apart, merge, touch);
+        struct law_springs springs = rocks_springs(scene, ends, touch->overlap);
+        contacts->spring[c] = springs.force;
+        contacts->energy[c] = springs.energy;
+        for (int k = 0; k < touch->points; k++)
+            point_choose(contacts, c, k, touch->point[k].share * springs.force);
+    }
+}
+
+/* The chosen points as points of one contact, for their memory. */
+static void points_list(const struct contacts *contacts, struct touch *list) {
+    list->points = contacts->points;
+    for (int k = 0; k < contacts->points; k++)
+        list->point[k] = contacts->touch[contacts->point[k].contact].point[contacts->point[k].point];
+}
+
+/* The forces of all contacts of a pair. */
+static void contacts_act(const struct rocks_scene *scene, struct rocks_pair *pair,
+                         const struct rocks_ends *ends, struct contacts *contacts, struct rocks_memory *now) {
+    for (int p = 0; p < contacts->points; p++) {
+        const int c = contacts->point[p].contact, k = contacts->point[p].point;
+        const struct touch *touch = &contacts->touch[c];
+        double arm[2][3];
+        struct law_contact in = contact_of(scene, pair, ends, touch, k, arm);
+        in.spring = vector(now[p].spring);
+        in.roll = vector(now[p].roll);
+        struct law_springs springs = rocks_springs(scene, ends, in.overlap);
+        struct law_response out = law_respond_with(scene->law_case, scene->step, &in, springs);
+        store(out.spring, now[p].spring);
+        store(out.roll, now[p].roll);
+        point_act(pair, ends, &out, &touch->point[k], springs.force, (const double(*)[3])arm);
+    }
+    for (int c = 0; c < contacts->count; c++) {
+        push_act(pair, ends, &contacts->touch[c], contacts->spring[c]);
+        pair->sums.normal += contacts->energy[c];
+        if (contacts->touch[c].overlap <= pair->sums.overlap * ends->ball)
+            continue;
+        pair->sums.overlap = contacts->touch[c].overlap / ends->ball;
+        memcpy(pair->normal, contacts->touch[c].point[0].normal, sizeof pair->normal);
+    }
+}
+
+/* The contacts of a pair in this evaluation. */
+static void pair_act(const struct rocks_scene *scene, struct rocks_pair *pair, struct walls_probe *probe) {
     struct rocks_memory now[TOUCH_POINTS_MAX];
     struct rocks_ends ends = {0};
-    struct touch touch = {0};
+    struct touch points = {0};
     struct features features;
+    struct contacts contacts;
     memset(pair->force, 0, sizeof pair->force);
     memset(pair->torque, 0, sizeof pair->torque);
     pair->sums = (struct rocks_sums){0};
-    if (!rocks_ends_make(scene, pair, &ends) || rocks_features(scene, pair, &ends, &features) == 0) {
+    if (!rocks_ends_make(scene, pair, &ends) || rocks_features(scene, pair, &ends, probe, &features) == 0) {
         pair->points = 0;
         return;
     }
     double smaller =
         pair->wall >= 0 ? ends.posed[0].rounding : fmin(ends.posed[0].rounding, ends.posed[1].rounding);
-    feature_sum(features.feature, features.count, ends.apart, TOUCH_MERGE * smaller, &touch);
-    points_match(pair, &ends, &touch, smaller, now);
-    double spring = 0;
-    for (int k = 0; k < touch.points; k++) {
-        double arm[2][3];
-        struct law_contact in = contact_of(scene, pair, &ends, &touch, k, arm);
-        in.spring = vector(now[k].spring);
-        in.roll = vector(now[k].roll);
-        struct law_springs springs = rocks_springs(scene, &ends, in.overlap);
-        struct law_response out = law_respond_with(scene->law_case, scene->step, &in, springs);
-        store(out.spring, now[k].spring);
-        store(out.roll, now[k].roll);
-        spring = springs.force;
-        pair->sums.normal = out.normal_energy;
-        point_act(pair, &ends, &out, &touch.point[k], spring, (const double(*)[3])arm);
-    }
-    push_act(pair, &ends, &touch, spring);
-    pair->points = touch.points;
-    memcpy(pair->point, now, (size_t)touch.points * sizeof *now);
-    pair->sums.overlap = touch.overlap / ends.ball;
+    contacts_make(scene, &ends, &features, TOUCH_MERGE * smaller, &contacts);
+    points_list(&contacts, &points);
+    points_match(pair, &ends, &points, smaller, now);
+    contacts_act(scene, pair, &ends, &contacts, now);
+    pair->points = points.points;
+    memcpy(pair->point, now, (size_t)points.points * sizeof *now);
 }
 
 /* Adds to each particle the forces of its pairs, in the order of the ids of their partners. */
@@ -197,17 +262,17 @@ static void forces_add(const struct rocks *rocks, const struct particles *p) {
     }
 }
 
-/* The force of a rock on a plane acts where its torque says: at an arm across the force. */
+/* The force of a rock on a wall acts where its torque says: at an arm across the force. */
 static void wall_push(const struct rocks_scene *scene, struct walls *walls, const struct rocks_pair *pair) {
-    double square = vector_dot(pair->force, pair->force), arm[3], point[3];
+    double square = vector_dot(pair->force, pair->force), arm[3], shift[3];
     struct wall_place place = {.wall = pair->wall};
     if (!(square > 0))
         return;
     cross(pair->force, pair->torque[0], arm); /* torque = -arm x force */
-    walls_plane(walls, pair->wall, point, place.normal);
+    walls_group_shift(walls, &pair->group, shift);
     for (int d = 0; d < 3; d++) {
-        place.normal[d] = -place.normal[d];
-        place.at[d] = scene->particles->state[pair->end[0]].x[d] - arm[d] / square;
+        place.normal[d] = pair->normal[d];
+        place.at[d] = scene->particles->state[pair->end[0]].x[d] - shift[d] - arm[d] / square;
     }
     walls_push(walls, 0, &place, pair->force);
 }
@@ -216,9 +281,14 @@ void rocks_act(struct bodies *bodies, const struct physics_context *context) {
     struct rocks *rocks = bodies->rocks;
     struct rocks_scene scene;
     rocks_scene_make(rocks, context, &scene);
-#pragma omp parallel for schedule(dynamic, 16)
-    for (size_t k = 0; k < rocks->pairs; k++)
-        pair_act(&scene, &rocks->pair[k]);
+#pragma omp parallel
+    {
+        struct walls_probe probe = {0};
+#pragma omp for schedule(dynamic, 16)
+        for (size_t k = 0; k < rocks->pairs; k++)
+            pair_act(&scene, &rocks->pair[k], &probe);
+        walls_probe_free(&probe);
+    }
     forces_add(rocks, context->particles);
     for (size_t k = 0; k < rocks->pairs; k++)
         if (rocks->pair[k].wall >= 0)

@@ -140,15 +140,20 @@ static void pairs_take(struct rocks *rocks, const struct particles *p, const str
     }
 }
 
+/* Each rock with each image of a wall near its ball. */
 static void walls_take(struct rocks *rocks, const struct particles *p, const struct walls *walls) {
-    for (size_t s = 0; walls && s < rocks->stands; s++)
-        for (int w = 0; w < walls_count(walls) && rocks->stand[s].particle < p->owned; w++) {
+    for (size_t s = 0; walls && s < rocks->stands; s++) {
+        struct wall_group group = {0};
+        const uint32_t particle = rocks->stand[s].particle;
+        while (particle < p->owned && walls_group_next(walls, particle, &group)) {
             struct rocks_pair *pair = pair_add(rocks);
-            pair->end[0] = rocks->stand[s].particle;
+            pair->end[0] = particle;
             pair->end[1] = ROCKS_WALL;
             pair->gives[0] = true;
-            pair->wall = w;
+            pair->wall = group.wall;
+            pair->group = group;
         }
+    }
 }
 
 static int end_compare(const void *a, const void *b) {

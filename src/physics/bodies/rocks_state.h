@@ -5,6 +5,7 @@
 
 #include "physics/bodies/rocks.h"
 #include "physics/bodies/shapes/touch.h"
+#include "physics/grains/walls/wall_solid.h"
 
 /* What a point remembers; the springs are those of the end with the higher id, or of the wall. */
 struct rocks_memory {
@@ -24,9 +25,11 @@ struct rocks_sums {
 struct rocks_pair {
     uint32_t end[2]; /* numbers of the particles, the lower id first; of a wall: ROCKS_WALL and its number */
     int wall;        /* -1: a pair */
-    uint8_t image;   /* image code of the pair's second particle in the list ... */
-    bool turned;     /* ... which is the first end */
-    bool gives[2];   /* which ends get the force here */
+    struct wall_group group; /* of a wall: its pieces nearby ... */
+    double normal[3];        /* ... and the normal of the deepest contact with it, towards it */
+    uint8_t image;           /* image code of the pair's second particle in the list ... */
+    bool turned;             /* ... which is the first end */
+    bool gives[2];           /* which ends get the force here */
     int points;
     struct rocks_memory point[TOUCH_POINTS_MAX];
     struct gjk_simplex simplex;

@@ -25,15 +25,12 @@ static void side_make(const struct bodies *bodies, const struct rocks_scene *sce
     }
 }
 
-/* Adds the contact of a pair, as both ends feel it. */
-static void pair_stiffen(const struct bodies *bodies, const struct rocks_scene *scene,
-                         struct rocks_pair *pair, struct stability *stability) {
-    const double h = stability->step;
-    struct rocks_ends ends = {0};
-    struct features features;
-    if (!rocks_ends_make(scene, pair, &ends) || rocks_features(scene, pair, &ends, &features) == 0)
-        return;
-    const double overlap = feature_overlap(features.feature, features.count);
+/* Adds a contact, as both ends feel it. */
+static void group_stiffen(const struct bodies *bodies, const struct rocks_scene *scene,
+                          const struct rocks_pair *pair, const struct rocks_ends *both,
+                          const struct feature *feature, int count, struct stability *stability) {
+    const double h = stability->step, overlap = feature_overlap(feature, count);
+    const struct rocks_ends ends = *both;
     const int material[2] = {material_of(scene->material, pair->end[0]),
                              pair->wall >= 0 ? walls_options(scene->walls, pair->wall)->material
                                              : material_of(scene->material, pair->end[1])};
@@ -48,10 +45,24 @@ static void pair_stiffen(const struct bodies *bodies, const struct rocks_scene *
         if (!pair->gives[end] || mass == 0)
             continue;
         side_make(bodies, scene, pair, &ends, end, &side);
-        stiff_find(features.feature, features.count, &side, q, &stiff);
+        stiff_find(feature, count, &side, q, &stiff);
         double roll = h * (h * s.k_r + 2 * s.c_r) * ends.radius * ends.radius / side.gyration[0];
         const double weight[STIFF_KINDS] = {h * h * s.k_n, 2 * h * s.c_n, h * (h * s.k_t + 2 * s.c_t)};
         stability_bound(stability, pair->end[end], mass * (stiff_largest(&stiff, weight) + roll));
+    }
+}
+
+/* Adds the contacts of a pair. */
+static void pair_stiffen(const struct bodies *bodies, const struct rocks_scene *scene,
+                         struct rocks_pair *pair, struct walls_probe *probe, struct stability *stability) {
+    struct rocks_ends ends = {0};
+    struct features features;
+    if (!rocks_ends_make(scene, pair, &ends))
+        return;
+    rocks_features(scene, pair, &ends, probe, &features);
+    for (int from = 0, count; from < features.count; from += count) {
+        count = rocks_group(&features, from);
+        group_stiffen(bodies, scene, pair, &ends, features.feature + from, count, stability);
     }
 }
 
@@ -60,9 +71,14 @@ void rocks_stiffen(struct bodies *bodies, const struct physics_context *context,
     struct rocks *rocks = bodies->rocks;
     struct rocks_scene scene;
     rocks_scene_make(rocks, context, &scene);
-#pragma omp parallel for schedule(dynamic, 16)
-    for (size_t k = 0; k < rocks->pairs; k++)
-        pair_stiffen(bodies, &scene, &rocks->pair[k], stability);
+#pragma omp parallel
+    {
+        struct walls_probe probe = {0};
+#pragma omp for schedule(dynamic, 16)
+        for (size_t k = 0; k < rocks->pairs; k++)
+            pair_stiffen(bodies, &scene, &rocks->pair[k], &probe, stability);
+        walls_probe_free(&probe);
+    }
 }
 
 double rocks_stiffest(const struct bodies *bodies, const struct physics_context *context,

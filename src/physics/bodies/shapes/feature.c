@@ -48,8 +48,8 @@ static double parallel_factor(double sine_square, double *slope) {
     return x < 1 ? x * x * (3 - 2 * x) : 1;
 }
 
-void feature_edges(struct features *features, const struct posed *posed, double roundings,
-                   const double *const end[4], uint32_t key) {
+struct feature *feature_edges(struct features *features, const struct posed *posed, double roundings,
+                              const double *const end[4], uint32_t key) {
     double u[3], v[3], w[3], s, t, on_a[3], way[3];
     for (int d = 0; d < 3; d++) {
         u[d] = end[1][d] - end[0][d];
@@ -64,19 +64,20 @@ void feature_edges(struct features *features, const struct posed *posed, double 
     double square = vector_dot(way, way), lengths = sqrt(vector_dot(u, u) * vector_dot(v, v)),
            cosine = vector_dot(u, v) / lengths, slope;
     if (!(square > 0 && square < roundings * roundings))
-        return;
+        return NULL;
     double distance = sqrt(square), factor = parallel_factor(1 - cosine * cosine, &slope);
     for (int d = 0; d < 3; d++)
         way[d] /= distance;
     struct feature *feature =
         factor > 0 ? feature_add(features, posed, roundings, distance, on_a, way, key) : NULL;
     if (feature == NULL)
-        return;
+        return NULL;
     cross(v, u, feature->twist); /* the cosine grows by (v x u) . rotation of B */
     for (int d = 0; d < 3; d++)
         feature->twist[d] *= -2 * cosine * slope * feature->overlap / lengths;
     feature->overlap *= factor;
     feature->weight = factor;
+    return feature;
 }
 
 /* Adds the share of a feature to the point that it belongs to; where there is no room, the least one goes. */

@@ -14,6 +14,7 @@ struct feature {
         weight;      /* weight: slope of d_k along the normal, 1 but of edges that are nearly parallel */
     double twist[3]; /* slope of d_k in a rotation of B */
     uint32_t key;
+    int32_t group; /* features of different groups are contacts of their own; 0 of two solids */
 };
 
 struct features {
@@ -33,8 +34,8 @@ void feature_sum(const struct feature *all, int count, const double apart[3], do
 /* The norm d of the overlaps (touch.h). */
 double feature_overlap(const struct feature *feature, int count);
 
-/* Adds two edges, from a to b and from c to e, all about the centre of A. */
-void feature_edges(struct features *features, const struct posed *posed, double roundings,
-                   const double *const end[4], uint32_t key);
+/* Adds two edges, from a to b and from c to e, all about the centre of A. Returns the feature, or NULL. */
+struct feature *feature_edges(struct features *features, const struct posed *posed, double roundings,
+                              const double *const end[4], uint32_t key);
 
 #endif
