@@ -43,7 +43,7 @@ deletions:
 observables: {every: 500, list: [{name: particles}, {name: bodies}, {name: turnover}, {name: sum, of: mass, label: mass}]}
 output: {dump: {every: 1000, fields: [id, kind, body, body_part, position, velocity, angular_velocity]}, checkpoint: {every: 1000}}
 YAML
-sed -e 's|count: 2000, dt: 0.0002|count: 2500, dt: 0.00016|' -e '/^box/s/z_lower/z_upper/' -e 's/shape: rectangle, .*, material/shape: plane, point: [0, 0, 0], normal: [0, 0, 1], material/' \
+sed -e 's|dt: 0.0002|dt: 0.00016|' -e '/^box/s/z_lower/z_upper/' -e 's/shape: rectangle, .*, material/shape: plane, point: [0, 0, 0], normal: [0, 0, 1], material/' \
     -e '/clumps:/,/dumbbell/d' -e 's/^bodies:/&\n  shapes:\n    - {name: rock, material: a, random: {corners: 14, variants: 5}, roundness: 0.2}/' \
     -e 's/lower: \[4, 4, 4\], upper: \[6, 6, 5\]/lower: [0, 0, 0], upper: [6, 3, 1]/' hopper.yaml >rocks.yaml
 
