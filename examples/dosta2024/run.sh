@@ -54,7 +54,7 @@ out=$(cd "$out" && pwd)
 bed_source() { echo "{name: bed, file: '$1', format: h5md, material: $grain}"; }
 
 # What the cases differ in. The arguments of a run are the parameters of the shell, as they have spaces.
-solver_step=1e-4 fill=0 rest=0.03 thick=0.11 bed= soft=
+solver_step=1e-4 fill=0 rest=0.05 thick=0.11 bed= soft=
 case $case_name in
 impact*)
     thousand=${case_name#impact}
@@ -64,7 +64,7 @@ impact*)
     set -- --set "particles.sources[ball].id=$((count + 1))" --set output.trajectory.every=0 \
         --set "observables.list=[{name: position, label: ball, id: $((count + 1)), components: z}, {name: velocity, label: ball, id: $((count + 1)), components: z}]"
     if [ "$thousand" != 25 ]; then
-        fill=0.25 thick=0.028 solid=0.5
+        fill=0.25 rest=0.02 thick=0.028 solid=0.5
         bed="{name: bed, from: packed, count: $count, sizes: 1 mm, material: glass, region: {shape: box, lower: [-0.049, -0.03, -0.0902431], upper: [0.049, 0.03, $(
             awk -v n=$count -v f=$solid 'BEGIN { printf "%.6f", -0.0902431 + n * 4.18879e-9 / f / (0.098 * 0.06) }')]}}"
     fi
