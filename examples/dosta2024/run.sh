@@ -54,7 +54,7 @@ out=$(cd "$out" && pwd)
 bed_source() { echo "{name: bed, file: '$1', format: h5md, material: $grain}"; }
 
 # What the cases differ in. The arguments of a run are the parameters of the shell, as they have spaces.
-solver_step=1e-4 fill=0 rest=0.02 thick=0.11 bed= soft=
+solver_step=1e-4 fill=0 rest=0.05 thick=0.11 bed= soft=
 case $case_name in
 impact*)
     thousand=${case_name#impact}
@@ -64,7 +64,7 @@ impact*)
     set -- --set "particles.sources[ball].id=$((count + 1))" --set output.trajectory.every=0 \
         --set "observables.list=[{name: position, label: ball, id: $((count + 1)), components: z}, {name: velocity, label: ball, id: $((count + 1)), components: z}]"
     if [ "$thousand" != 25 ]; then
-        fill=0.25 thick=0.028 solid=0.5
+        fill=0.25 rest=0.02 thick=0.028 solid=0.5
         bed="{name: bed, from: packed, count: $count, sizes: 1 mm, material: glass, region: {shape: box, lower: [-0.049, -0.03, -0.0902431], upper: [0.049, 0.03, $(
             awk -v n=$count -v f=$solid 'BEGIN { printf "%.6f", -0.0902431 + n * 4.18879e-9 / f / (0.098 * 0.06) }')]}}"
     fi
@@ -108,9 +108,22 @@ solver="--set contact.solver=gauss_seidel --set contact.solver.sweeps=30"
 # shellcheck disable=SC2086
 scree_run() { on_ranks "${SCREE_RANKS:-1}" "$SCREE" run "$@" ${SCREE_ARGS:-} >&2; }
 
-# pour ARGUMENT...: the bed that DIR/bed/trajectory.h5 holds, if the case has one that is not published with these examples. Grains of a
-# hundredth of the modulus sink at 0.2 m/s through a viscous fluid, as they would bounce without; then a solver of contacts, by the law and the
-# moduli of the case, takes the overlaps that these left.
+# sink NAME SECONDS VISCOSITY ARGUMENT...: the grains sink in a viscous fluid into DIR/NAME/trajectory.h5, unless they are there; prints its line
+sink() {
+    layer=$1 seconds=$2 viscosity=$3
+    shift 3
+    ! grep -q "\"simulated\": $seconds," "$out/$layer.json" 2>/dev/null || { cat "$out/$layer.json"; return; }
+    echo "pouring the bed, $layer: $seconds s" >&2
+    scree_run "$scene" -o "$out/$layer" --overwrite "$@" --set "drag={law: stokes, fluid: {density: 1, viscosity: $viscosity}}" --set 'step.dt=~' --set step.fraction=0.9 \
+        --set duration="$seconds" --set "output.trajectory.every={time: $seconds}" --set output.checkpoint.at_end=false \
+        --set 'observables.list=[{name: energy_kinetic_mean}, {name: particles}, {name: overlap_max}, {name: largest, of: z, unit: m, label: top}]'
+    printf '{"bed": "%s", "particles": %d, "seconds": %.4g, "simulated": %s, "top": %.5f, "overlap": %.5f, "mean_kinetic_energy": %.3g}\n' "$layer" \
+        "$(report_number "$out/$layer" particles)" "$(report_number "$out/$layer" seconds)" "$seconds" "$("$SCREE" info "$out/$layer" --column top --row last)" \
+        "$("$SCREE" info "$out/$layer" --column overlap_max --row last)" "$("$SCREE" info "$out/$layer" --column energy_kinetic_mean --row last)" | tee "$out/$layer.json"
+}
+
+# pour ARGUMENT...: the bed of a case that is not published with these examples, as bed_source. Grains of a hundredth of the modulus sink at 0.2 m/s, as
+# they would bounce without a fluid. Then grains of the case expand in a fluid 40 times as thick, so that the overlaps of the soft ones lift the bed slowly.
 pour() {
     if [ -n "${BED:-}" ]; then
         { echo radius x y z; tr -d '\r' <"$BED" | awk 'NF == 4 && $1 + 0 > 0 { print $1, $2, $3, $4 } NF == 3 && $1 == $1 + 0 { print 0.002, $1, $2, $3 }'; } >"$out/bed.txt"
@@ -118,20 +131,12 @@ pour() {
         echo "{\"bed\": \"$BED\", \"particles\": $(($(wc -l <"$out/bed.txt") - 1))}"
         return
     fi
+    # shellcheck disable=SC2086
+    sink soft "$fill" $thick "$@" $soft ${bed:+--set} ${bed:+"particles.sources=[$bed]"}
+    bed_source=$(bed_source "$out/soft/trajectory.h5")
+    test $step != soft || return 0
+    sink bed "$rest" "$(awk -v mu=$thick 'BEGIN { print 40 * mu }')" "$@" --set "particles.sources=[$bed_source]"
     bed_source=$(bed_source "$out/bed/trajectory.h5")
-    ! grep -q "\"simulated\": $fill," "$out/bed.json" 2>/dev/null || { cat "$out/bed.json"; return; }
-    echo "pouring the bed: $fill s" >&2
-    set -- "$@" --set 'step.dt=~' --set output.checkpoint.at_end=false \
-        --set 'observables.list=[{name: energy_kinetic_mean}, {name: particles}, {name: largest, of: z, unit: m, label: top}]'
-    # shellcheck disable=SC2086
-    scree_run "$scene" -o "$out/fall" --overwrite "$@" $soft --set "drag={law: stokes, fluid: {density: 1, viscosity: $thick}}" --set step.fraction=0.9 --set duration="$fill" --set "output.trajectory.every={time: $fill}" \
-        ${bed:+--set} ${bed:+"particles.sources=[$bed]"}
-    # shellcheck disable=SC2086
-    scree_run "$scene" -o "$out/bed" --overwrite "$@" $solver --set step.fraction=0.4 --set contact.solver.tolerance=1e-3 --set duration=$rest --set guards.residual=off \
-        --set "output.trajectory.every={time: $rest}" --set "particles.sources=[$(bed_source "$out/fall/trajectory.h5")]"
-    printf '{"bed": "poured", "particles": %d, "seconds": %.4g, "simulated": %s, "top": %.5f, "mean_kinetic_energy": %.3g}\n' \
-        "$(report_number "$out/bed" particles)" "$(awk -v a="$(report_number "$out/fall" seconds)" -v b="$(report_number "$out/bed" seconds)" 'BEGIN { print a + b }')" "$fill" \
-        "$("$SCREE" info "$out/bed" --column top --row last)" "$("$SCREE" info "$out/bed" --column energy_kinetic_mean --row last)" | tee "$out/bed.json"
 }
 
 # ended: has the run come to its end?
