@@ -90,6 +90,22 @@ check 'they rest' bodies_rest bodies3
 check 'a run that goes on' run_scene 1 bed.yaml bodies4 --set threads=1 "${clumps[@]}" --resume bodies/checkpoint-800.h5
 check 'the same bits' same bodies bodies4
 
+lands() { # a boulder that lands on two layers of grains overlaps them as `check` says, and at the step that `check` names by about a tenth
+    local scene=("${bed_of_two[@]}") step said most
+    "$scree" check bed.yaml "${scene[@]}" --set step.dt=1e-4 >told 2>&1
+    step=$(sed -n 's/.*lands on a bed.*needed is a step of \([0-9.e+-]*\)$/\1/p' told | head -n 1)
+    [ -n "$step" ] || { cat told; return 1; }
+    "$scree" check bed.yaml "${scene[@]}" --set step.dt="$step" >told 2>&1
+    said=$(sed -n 's/^  impact .*about \([0-9.e+-]*\) of the smallest radius$/\1/p' told)
+    run_scene 1 bed.yaml lands "${scene[@]}" --set threads=1 --set step.dt="$step" --set 'observables=~' --set 'output=~' || return 1
+    most=$(sed -n 's/.*"overlap_max": \([0-9.e+-]*\),.*/\1/p' lands/report.json)
+    echo "  step $step: about $said of a radius foreseen, $most found"
+    awk -v s="$said" -v m="$most" 'BEGIN { exit !(s <= 0.101 && m > 0.02 && m <= 0.15) }'
+}
+bed_of_two=(--set 'box.upper=[24 mm, 24 mm, 60 mm]' --set 'particles.sources[0].region.upper=[24 mm, 24 mm, 8 mm]' --set 'particles.sources[0].count=288'
+    --set 'particles.sources[1]={from: single, position: [12 mm, 12 mm, 34 mm], radius: 10 mm}' --set 'step.count=~' --set duration=0.1 --set 'contact.solver.tolerance=1e-4')
+check 'a boulder lands at the step that check names' lands
+
 check 'a run with a checkpoint' run_scene 1 bed.yaml whole --set threads=1 --set output.checkpoint.every=800
 check 'a run that goes on from it' run_scene 1 bed.yaml rest --set threads=1 --resume whole/checkpoint-800.h5
 check 'the same bits' same whole rest

@@ -14,8 +14,9 @@
  * part of sqrt(r/g). The default step is a fraction of it (step.fraction). */
 static const double move_most = 0.5, fall_most = 1.0 / 15.0;
 
-/* Noted before a run: overlaps over the smaller radius above this, and news slower than so many expected speeds. */
-static const double overlap_most = 0.01, news_least = 3.0;
+/* Noted before a run: overlaps over the smaller radius above these, at rest and in an impact, and news slower than so many
+ * expected speeds. */
+static const double overlap_most = 0.01, impact_most = 0.1, news_least = 3.0;
 
 static double range(const void *context, int kind_a, double radius_a, int kind_b, double radius_b) {
     (void)radius_a, (void)radius_b;
@@ -167,9 +168,11 @@ static double kappa_now(struct hard *hard, double dt) {
     return hard->stiffness == goal ? kappa : hard->stiffness * (dt * dt);
 }
 
-/* What the springs of rigid contacts cost: the speed of news, and the overlap of the heaviest grain on one of the lightest. */
+/* What the springs of rigid contacts cost: the speed of news, the overlap of the heaviest grain on one of the lightest, and that
+ * of the lightest when the heaviest lands on a bed of them at the expected speed. A ball that has sunk in by half of the radius of
+ * grains touches about as many as its radius is theirs: n springs of kappa m / dt^2 stop M = n^3 m within v dt n / sqrt(kappa). */
 struct price {
-    double news, overlap;
+    double news, overlap, impact;
 };
 
 static bool has_price(const struct hard *hard) {
@@ -180,9 +183,11 @@ static struct price price_of(const struct physics_context *context) {
     const struct hard *hard = context->self;
     double kappa = hard->solver.terms.kappa, dt = context->clock->dt;
     double g = sqrt(vector_dot(context->scene->gravity, context->scene->gravity));
-    return (struct price){.news = sqrt(kappa) * 2.0 * hard->smallest / dt,
-                          .overlap =
-                              (1.0 + hard->heavy / hard->light) * g * dt * dt / (kappa * hard->smallest)};
+    double speed = grains_of(context->set)->stable.speed_most;
+    return (struct price){
+        .news = sqrt(kappa) * 2.0 * hard->smallest / dt,
+        .overlap = (1.0 + hard->heavy / hard->light) * g * dt * dt / (kappa * hard->smallest),
+        .impact = speed * dt * cbrt(hard->heavy / hard->light) / (sqrt(kappa) * hard->smallest)};
 }
 
 /* `fall`: gravity times the step. */
@@ -350,6 +355,12 @@ static void notes(const struct physics_context *context, struct notes *notes) {
             "sweeps, or a step of %.3g",
             price.overlap, overlap_most, kappa * price.overlap / overlap_most,
             dt * sqrt(overlap_most / price.overlap));
+    if (price.impact > impact_most)
+        notes_add(
+            notes, false,
+            "step.dt: the heaviest grain that lands on a bed of the lightest at the expected speed overlaps "
+            "them by about %.2g of their radius, more than %g; needed is a step of %.3g",
+            price.impact, impact_most, dt * impact_most / price.impact);
 }
 
 /* News that was slower than the flow. */
@@ -383,6 +394,10 @@ static void print(const struct physics_context *context, FILE *file) {
                 "  overlap      of the heaviest grain at rest on one of the lightest: %.2g of the smallest "
                 "radius\n",
                 price.overlap);
+        fprintf(file,
+                "  impact       of the heaviest grain on a bed of the lightest: about %.2g of the smallest "
+                "radius\n",
+                price.impact);
     }
     fprintf(file, "  memory       %zu bytes a contact\n",
             sizeof(struct hard_row) + sizeof(struct hard_memory) +
