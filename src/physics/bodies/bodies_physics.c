@@ -89,8 +89,6 @@ static bool check_sources(const struct physics_context *context, struct error *e
                                   "delete would part bodies from their members; with bodies: keep or error");
     if (scene->physics_given[PHYSICS_bonds])
         return scene_fail(scene, error, "bodies", "together with bonds: not built yet");
-    if (scene->physics_given[PHYSICS_fluid])
-        return scene_fail(scene, error, "bodies", "together with a fluid: not built yet");
     return true;
 }
 
