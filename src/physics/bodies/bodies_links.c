@@ -149,8 +149,9 @@ static void members_find(struct bodies_links *l, const struct physics_context *c
     for (int32_t b = 0; b < l->rows; b++)
         named[b] = (struct named){p->id[l->row[b].particle], b};
     qsort(named, (size_t)l->rows, sizeof *named, named_compare);
-    /* a solver of contacts asks for the bodies of copies, too */
-    size_t all = grains_solved(context) ? p->owned + p->ghosts : p->owned;
+    /* a solver of contacts and a fluid ask for the bodies of copies, too */
+    bool asked = grains_solved(context) || context->scene->physics_given[PHYSICS_fluid];
+    size_t all = asked ? p->owned + p->ghosts : p->owned;
     l->pose_of = memory_allocate(all, sizeof *l->pose_of, "bodies of particles");
     l->offset = memory_allocate_zero(all, sizeof *l->offset, "places of members");
     l->shift = memory_allocate_zero(all, sizeof *l->shift, "images of members");

@@ -27,7 +27,8 @@ struct bodies_links {
     double (*full)[BODIES_FULL];   /* v w of the full step: what owners send */
     size_t *start; /* members of row b: member[start[b]] ... [start[b + 1]), by their number */
     uint32_t *member;
-    int32_t *pose_of; /* of owned particles, as in struct carried; with a solver of contacts also of copies */
+    int32_t *
+        pose_of; /* of owned particles, as in struct carried; with a solver of contacts or a fluid also of copies */
     double (*offset)[3], (*shift)[3];
     struct ghosts_part *part; /* NULL: one rank */
 };

@@ -49,14 +49,18 @@ void bodies_motion_gather(struct bodies_links *l, const struct physics_context *
         ghosts_part_sum(l->part, l->sum, width);
 }
 
+void bodies_motion_force(const struct bodies_links *l, const struct physics_context *context, int32_t b,
+                         double force[3], double torque[3]) {
+    sums_value(l->sum + (size_t)b * (size_t)sums_width(context->ordered), context->ordered,
+               units_of(l, context, b), force, torque);
+}
+
 void bodies_motion_push(const struct bodies_links *l, const struct physics_context *context, int32_t b,
                         double time, double velocity[3], double spin[3]) {
     const struct bodies_row *row = &l->row[b];
     const bool flat = context->box->dimension == 2;
-    const struct sums_units units = units_of(l, context, b);
     double force[3], torque[3];
-    sums_value(l->sum + (size_t)b * (size_t)sums_width(context->ordered), context->ordered, units, force,
-               torque);
+    bodies_motion_force(l, context, b, force, torque);
     for (int d = 0; d < 3; d++) {
         velocity[d] = flat && d == 2 ? 0 : time * (force[d] / row->mass + context->scene->gravity[d]);
         spin[d] = flat && d < 2 ? 0 : time * torque[d];

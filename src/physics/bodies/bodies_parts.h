@@ -19,7 +19,11 @@ void bodies_motion_full_step(struct bodies *bodies, const struct physics_context
  * gives. Collective. */
 void bodies_motion_gather(struct bodies_links *links, const struct physics_context *context);
 
-/* After that: the change of velocity and of angular momentum of own body b in a time, by these and by gravity. Any thread. */
+/* After that: the sums of own body b. Any thread. */
+void bodies_motion_force(const struct bodies_links *links, const struct physics_context *context, int32_t b,
+                         double force[3], double torque[3]);
+
+/* The same as the change of velocity and of angular momentum of own body b in a time, by these and by gravity. Any thread. */
 void bodies_motion_push(const struct bodies_links *links, const struct physics_context *context, int32_t b,
                         double time, double velocity[3], double spin[3]);
 

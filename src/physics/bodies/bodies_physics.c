@@ -74,8 +74,6 @@ static bool check_others(const struct physics_context *context, struct error *er
     const struct scene *scene = context->scene;
     if (scene->physics_given[PHYSICS_bonds])
         return scene_fail(scene, error, "bodies", "together with bonds: not built yet");
-    if (scene->physics_given[PHYSICS_fluid])
-        return scene_fail(scene, error, "bodies", "together with a fluid: not built yet");
     return true;
 }
 

@@ -27,6 +27,8 @@ static double range(const void *context, int kind_a, double radius_a, int kind_b
     bool fluid = kind_a == KIND_FLUID || kind_b == KIND_FLUID;
     bool grain = kind_a == KIND_GRAIN || kind_b == KIND_GRAIN;
     bool rides = kind_a != kind_b && grain && fluid_carries(own->options);
+    if (kind_a == KIND_BODY || kind_b == KIND_BODY) /* its members are there */
+        return -INFINITY;
     if (!(fluid || rides) || isinf(radius_a) || isinf(radius_b))
         return -INFINITY;
     if (!fluid) /* a boundary particle finds its grain */

@@ -42,14 +42,16 @@ static void add_row(const struct observable_context *context, const struct obser
     }
 }
 
-/* The grains of a group in which the flow is rigid: their loads have no parts. */
+/* The grains and bodies of a group in which the flow is rigid: their loads have no parts. */
 static void add_rigid(const struct observable_context *context, int group, double *part) {
     const struct particles *p = context->view->particles;
     const uint8_t *groups = groups_of(p);
     const double *drag = fluid_drag(p);
     double(*load)[6] = fluid_load(p);
     for (size_t i = 0; groups != NULL && i < p->owned; i++)
-        for (size_t d = 0; kinds_of(p)[i] == KIND_GRAIN && groups[i] == group && d < 3; d++) {
+        for (size_t d = 0;
+             (kinds_of(p)[i] == KIND_GRAIN || kinds_of(p)[i] == KIND_BODY) && groups[i] == group && d < 3;
+             d++) {
             part[d] += drag[3 * i + d];
             part[3 + d] = part[6 + d] = NAN;
             part[9 + d] += isnan(load[i][3 + d]) ? 0 : load[i][3 + d];

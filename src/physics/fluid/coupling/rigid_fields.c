@@ -6,6 +6,7 @@
 #include <math.h>
 
 /* clang-format off */
+#define OF_RIGID .kinds = 1u << KIND_GRAIN | 1u << KIND_BODY
 static const struct field
     solid = {.name = "solid", .type = FIELD_DOUBLE, .components = 1, .use = FIELD_OUTPUT | FIELD_ASKED, .kinds = 1u << KIND_FLUID, .needed_for = "fluid.grains",
              .help = "part of a fluid particle that grains fill, 0 ... 1, where the flow is rigid inside of grains"},
@@ -14,12 +15,12 @@ static const struct field
     potential = {.name = "fluid_potential", .type = FIELD_DOUBLE, .components = 1, .use = FIELD_TRAVELS, .unit = "Pa", .kinds = 1u << KIND_FLUID, .needed_for = "fluid.grains",
                  .help = "change of the pressure in the last step"},
     motion_of = {.name = "fluid_motion", .type = FIELD_DOUBLE, .components = 12, .use = FIELD_TRAVELS, .fill = NAN,
-                 .kinds = 1u << KIND_GRAIN, .needed_for = "fluid.grains",
+                 OF_RIGID, .needed_for = "fluid.grains",
                  .help = "velocity (m/s) and spin (rad/s) of a grain after the last step of the fluid, and their changes in it"},
     impulse = {.name = "fluid_impulse", .type = FIELD_DOUBLE, .components = RIGID_IMPULSE, .use = FIELD_TRAVELS,
-               .kinds = 1u << KIND_GRAIN, .needed_for = "fluid.grains",
+               OF_RIGID, .needed_for = "fluid.grains",
                .help = "momentum (N s, N m s) that contacts gave a grain since the last step of the fluid; 1 if it was touched in the last step"},
-    found = {.name = "fluid_found", .type = FIELD_DOUBLE, .components = 6, .kinds = 1u << KIND_GRAIN,
+    found = {.name = "fluid_found", .type = FIELD_DOUBLE, .components = 6, OF_RIGID,
              .needed_for = "fluid.grains", .help = "velocity and spin of a grain within a step"};
 /* clang-format on */
 

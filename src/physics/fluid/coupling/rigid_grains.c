@@ -16,13 +16,23 @@ void rigid_grains_add(struct rigid_grains_sums *sums, double mass, const double 
     sums->second[5] -= mass * x * y;
 }
 
+/* Where a symmetric tensor has its entries. */
+static const int at[3][3] = {{0, 5, 4}, {5, 1, 3}, {4, 3, 2}};
+
+void rigid_grains_spin(const double inertia[6], const double omega[3], double spin[3]) {
+    for (int i = 0; i < 3; i++) {
+        spin[i] = 0;
+        for (int j = 0; j < 3; j++)
+            spin[i] += inertia[at[i][j]] * omega[j];
+    }
+}
+
 /* The matrix of all six unknowns; it is symmetric. */
 static void fill(const struct rigid_grains_sums *sums, const struct rigid_grains_own *own, double a[6][6]) {
-    static const int at[3][3] = {{0, 5, 4}, {5, 1, 3}, {4, 3, 2}};
     for (int i = 0; i < 3; i++)
         for (int j = 0; j < 3; j++) {
             a[i][j] = i == j ? sums->mass + own->mass : 0;
-            a[3 + i][3 + j] = sums->second[at[i][j]] + (i == j ? own->inertia : 0);
+            a[3 + i][3 + j] = sums->second[at[i][j]] + own->inertia[at[i][j]];
             a[3 + i][j] = 0;
         }
     for (int i = 0; i < 3; i++) { /* s x U */

@@ -25,8 +25,8 @@ void rigid_grains_add(struct rigid_grains_sums *sums, double mass, const double 
 
 /* What goes with a grain. */
 struct rigid_grains_own {
-    double mass, inertia;           /* M_e, J_e; half of them where they are negative */
-    double late_mass, late_inertia; /* the other half, with the accelerations of the step before; else 0 */
+    double mass, inertia[6];           /* M_e, J_e as `second` above; half of them where they are negative */
+    double late_mass, late_inertia[6]; /* the other half, with the accelerations of the step before; else 0 */
     int dimension;
     bool turns; /* else omega is 0 */
 };
@@ -34,6 +34,9 @@ struct rigid_grains_own {
 /* motion = U, omega of the right-hand side `momentum`: six numbers each. */
 void rigid_grains_solve(const struct rigid_grains_sums *sums, const struct rigid_grains_own *own,
                         const double momentum[6], double motion[6]);
+
+/* spin = J omega, J as `second`. */
+void rigid_grains_spin(const double inertia[6], const double omega[3], double spin[3]);
 
 /* m U + omega x s, s x U + J omega of a motion. */
 void rigid_grains_momentum(const struct rigid_grains_sums *sums, const double motion[6], double momentum[6]);

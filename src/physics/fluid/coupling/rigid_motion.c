@@ -2,51 +2,51 @@
 /* Grains between the steps of the fluid. Read rigid_motion.h first. */
 #include "physics/fluid/coupling/rigid_motion.h"
 #include "base/memory.h"
-#include "kernel/particles/kinds.h"
-#include "kernel/particles/spin.h"
+#include "physics/bodies/bodies_parts.h"
 #include "physics/grains/grains.h"
 #include "physics/fluid/coupling/grain_coupling.h"
+#include "physics/fluid/coupling/rigid_bodies.h"
 #include "physics/fluid/coupling/rigid_fields.h"
+#include "physics/fluid/coupling/rigid_sums.h"
 #include "physics/fluid/fluid_fields.h"
 #include "physics/fluid/fluid_state.h"
 #include <math.h>
 #include <string.h>
 
-static const double *force_on(const struct particles *p, size_t i) {
-    return p->force + i * (size_t)p->force_stride;
-}
-
 /* The motion of a grain that the fluid does not know yet is its own. */
-static void motion_begin(const struct particles *p, size_t i) {
-    double(*spin)[4] = spin_of(p), *motion = rigid_fields_motion(p)[i];
+static void motion_begin(const struct physics_context *context, size_t i) {
+    double *motion = rigid_fields_motion(context->particles)[i];
     if (!isnan(motion[0]))
         return;
     memset(motion, 0, 12 * sizeof *motion);
-    memcpy(motion, p->state[i].v, 3 * sizeof *motion);
-    if (spin != NULL)
-        memcpy(motion + 3, spin[i], 3 * sizeof *motion);
+    rigid_bodies_motion(context, i, motion);
 }
 
-/* Adds the momentum of a time to that of grain i; `push`: this part of the force is none of contacts. */
-static void momentum_add(const struct particles *p, size_t i, double time, const double push[3]) {
-    const double *force = force_on(p, i);
-    double *impulse = rigid_fields_impulse(p)[i], contact[3];
+/* Adds the momentum of a time to that of i; `push`: this part of the force is none of contacts. */
+static void momentum_add(const struct physics_context *context, size_t i, double time, const double push[3]) {
+    double *impulse = rigid_fields_impulse(context->particles)[i], contact[6];
+    rigid_bodies_contact(context, i, contact);
     for (int d = 0; d < 3; d++) {
-        contact[d] = force[d] - push[d];
+        contact[d] -= push[d];
         impulse[d] += time * contact[d];
-        impulse[3 + d] += spin_of(p) != NULL ? time * force[4 + d] : 0;
+        impulse[3 + d] += time * contact[3 + d];
     }
     impulse[RIGID_TOUCHED] = contact[0] != 0 || contact[1] != 0 || contact[2] != 0;
 }
 
 void rigid_motion_gather(const struct physics_context *context) {
     const struct particles *p = context->particles;
+    const struct bodies *bodies = bodies_of(context->set);
     const double dt = grain_due(context) ? 0.5 * context->clock->dt : context->clock->dt, none[3] = {0};
-    struct kind_span span = kinds_span(p, context->classes, KIND_GRAIN);
+    struct kind_span span = rigid_bodies_span(context);
+    if (bodies != NULL)
+        bodies_motion_gather(bodies->links, context);
     for (size_t i = span.first; i < span.end; i++) {
-        motion_begin(p, i);
+        if (rigid_bodies_member(p, i))
+            continue;
+        motion_begin(context, i);
         if (!grains_solved(context))
-            momentum_add(p, i, dt, none);
+            momentum_add(context, i, dt, none);
     }
 }
 
@@ -57,77 +57,112 @@ bool rigid_motion_solved(const struct physics_context *context) {
 void rigid_motion_gather_solved(const struct physics_context *context) {
     const struct particles *p = context->particles;
     const double dt = context->clock->step == 1 ? 0.5 * context->clock->dt : context->clock->dt;
-    struct kind_span span = kinds_span(p, context->classes, KIND_GRAIN);
+    struct kind_span span = rigid_bodies_span(context);
     for (size_t i = span.first; i < span.end; i++)
-        momentum_add(p, i, dt, fluid_push(p)[i]);
+        if (!rigid_bodies_member(p, i))
+            momentum_add(context, i, dt, fluid_push(p)[i]);
 }
 
-/* The time from the velocities that grains store to those that the fluid finds: none where a solver finds the forces of contacts for these velocities. */
+/* The time from the velocities that grains store to those that the fluid finds: none where a solver finds the forces of contacts for these
+ * velocities. */
 static double half_of(const struct physics_context *context) {
     return grains_solved(context) ? 0 : 0.5 * context->clock->dt;
 }
 
-/* What is added to the force of contacts on grain i. */
-static void push_of(const struct physics_context *context, size_t i, double push[3]) {
-    const struct fluid_options *options = context->options;
-    const struct particle_state *state = &context->particles->state[i];
+/* What is added to the force of contacts on i. */
+static void push_of(const struct physics_context *context, size_t i, const struct rigid_inertia *inertia,
+                    double push[3]) {
     bool touched = rigid_fields_impulse(context->particles)[i][RIGID_TOUCHED] != 0;
-    double mass =
-        touched ? options->density * grain_displaced(context, state->radius) : 1 / state->inverse_mass;
+    double mass = touched ? inertia->displaced : inertia->mass;
     for (int d = 0; d < 3; d++)
         push[d] = d < context->box->dimension ? -mass * context->scene->gravity[d] : 0;
 }
 
+static struct rigid_inertia inertia_of(const struct physics_context *context, size_t i) {
+    const struct fluid *fluid = context->self;
+    return rigid_bodies_inertia(context, (const double(*)[2])fluid->rigid->section, i);
+}
+
 /* Velocity and spin at half a step of the grains before those that the fluid found. */
-static void set(const struct physics_context *context, size_t i, double jump[6]) {
-    const struct particles *p = context->particles;
-    struct particle_state *state = &p->state[i];
-    const double *force = force_on(p, i), *motion = rigid_fields_motion(p)[i];
-    double(*spin)[4] = spin_of(p), half = half_of(context), push[3];
-    push_of(context, i, push);
-    for (int d = 0; d < context->box->dimension; d++) {
-        double v =
-            motion[d] - half * ((force[d] + push[d]) * state->inverse_mass + context->scene->gravity[d]);
-        jump[d] = v - state->v[d];
-        state->v[d] = v;
+static void set(const struct physics_context *context, size_t i, const double contact[6], double jump[6]) {
+    const double *found = rigid_fields_motion(context->particles)[i], half = half_of(context);
+    const struct rigid_inertia inertia = inertia_of(context, i);
+    double push[3], motion[6], before[6];
+    push_of(context, i, &inertia, push);
+    rigid_bodies_motion(context, i, before);
+    rigid_bodies_turn(context, i, contact + 3, half, motion + 3);
+    for (int d = 0; d < 3; d++) {
+        motion[d] = found[d] - half * ((contact[d] + push[d]) / inertia.mass + context->scene->gravity[d]);
+        motion[3 + d] = found[3 + d] - motion[3 + d];
     }
-    for (int d = 0; spin != NULL && d < 3; d++) {
-        double w =
-            motion[3 + d] - half * force[4 + d] * 2.5 * state->inverse_mass / (state->radius * state->radius);
-        jump[3 + d] = w - spin[i][d];
-        spin[i][d] = w;
-    }
+    rigid_bodies_set(context, i, motion);
+    rigid_bodies_motion(context, i, motion);
+    for (int d = 0; d < 6; d++)
+        jump[d] = motion[d] - before[d];
 }
 
 void rigid_motion_set(const struct physics_context *context) {
     struct fluid *fluid = context->self;
     const struct particles *p = context->particles;
-    struct kind_span span = kinds_span(p, context->classes, KIND_GRAIN);
+    struct kind_span span = rigid_bodies_span(context);
     const double half = half_of(context);
     memory_free(fluid->jump);
     fluid->jump = memory_allocate_zero(p->owned, sizeof *fluid->jump, "grains in a fluid");
     for (size_t i = span.first; i < span.end; i++) {
-        const double *force = force_on(p, i);
-        double *impulse = rigid_fields_impulse(p)[i];
-        if (grain_moves(context, i))
-            set(context, i, fluid->jump[i]);
-        for (int d = 0; d < 3; d++) { /* the half of the next step of the fluid */
-            impulse[d] = half * force[d];
-            impulse[3 + d] = spin_of(p) != NULL ? half * force[4 + d] : 0;
-        }
+        double *impulse = rigid_fields_impulse(p)[i], contact[6];
+        if (rigid_bodies_member(p, i))
+            continue;
+        rigid_bodies_contact(context, i, contact);
+        if (inertia_of(context, i).moves)
+            set(context, i, contact, fluid->jump[i]);
+        for (int d = 0; d < 6; d++) /* the half of the next step of the fluid */
+            impulse[d] = half * contact[d];
+    }
+}
+
+/* The work of a push, as that of grain_coupling.h, and of the jump of velocity and spin. */
+static double work_of(const struct physics_context *context, size_t i, const struct rigid_inertia *inertia,
+                      const double push[3]) {
+    const struct fluid *fluid = context->self;
+    const double none[6] = {0}, *jump = fluid->jump != NULL ? fluid->jump[i] : none,
+                 *last = fluid_push(context->particles)[i], half = 0.5 * context->clock->dt;
+    double motion[6], contact[6], middle[3], spin[3], sum = 0;
+    rigid_bodies_motion(context, i, motion);
+    rigid_bodies_contact(context, i, contact);
+    for (int d = 0; d < 3; d++)
+        middle[d] = motion[3 + d] - 0.5 * jump[3 + d];
+    rigid_grains_spin(inertia->own, jump + 3, spin);
+    for (int d = 0; d < 3; d++) {
+        double before = motion[d] - jump[d],
+               all = contact[d] + push[d] + inertia->mass * context->scene->gravity[d];
+        sum += half * (push[d] + (context->clock->step > 0 ? last[d] : 0)) * before +
+               jump[d] * (inertia->mass * (before + 0.5 * jump[d]) + half * all) + spin[d] * middle[d];
+    }
+    return sum;
+}
+
+static void push_add(const struct physics_context *context, size_t i, const struct rigid_inertia *inertia,
+                     const double push[3]) {
+    struct fluid *fluid = context->self;
+    struct particles *p = context->particles;
+    double *last = fluid_push(p)[i], *force = p->force + i * (size_t)p->force_stride;
+    fluid->work += work_of(context, i, inertia, push);
+    for (int d = 0; d < 3; d++) {
+        last[d] = push[d];
+        force[d] += push[d];
     }
 }
 
 void rigid_motion_apply(const struct physics_context *context) {
     const struct particles *p = context->particles;
-    struct kind_span span = kinds_span(p, context->classes, KIND_GRAIN);
-    const double none[3] = {0};
+    struct kind_span span = rigid_bodies_span(context);
     for (size_t i = span.first; i < span.end; i++) {
+        const struct rigid_inertia inertia = inertia_of(context, i);
         double push[3];
-        if (!grain_moves(context, i))
+        if (rigid_bodies_member(p, i) || !inertia.moves)
             continue;
-        push_of(context, i, push);
-        grain_add(context, i, push, none);
+        push_of(context, i, &inertia, push);
+        push_add(context, i, &inertia, push);
     }
     grain_jumped(context->self);
 }

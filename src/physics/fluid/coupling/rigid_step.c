@@ -5,6 +5,7 @@
 #include "base/memory.h"
 #include "kernel/particles/kinds.h"
 #include "physics/fluid/coupling/grain_coupling.h"
+#include "physics/fluid/coupling/rigid_bodies.h"
 #include "physics/fluid/coupling/rigid_fields.h"
 #include "physics/fluid/fluid_fields.h"
 #include "physics/fluid/fluid_state.h"
@@ -15,6 +16,8 @@
 void rigid_step_pairs(const struct physics_context *context, struct rigid *rigid,
                       const struct pair_rows *pairs) {
     struct kind_span span = kinds_span(context->particles, context->classes, KIND_FLUID);
+    if (rigid->section == NULL)
+        rigid->section = rigid_bodies_sections(context);
     solid_pairs_take(&rigid->solid, pairs, kinds_of(context->particles), span.first, span.end);
 }
 
@@ -22,6 +25,7 @@ static struct solid_places places_of(const struct physics_context *context) {
     const struct fluid *fluid = context->self;
     const struct fluid_options *options = fluid->options;
     return (struct solid_places){
+        .bodies = context->scene->physics_given[PHYSICS_bodies] ? context : NULL,
         .state = context->particles->state,
         .shift = (const double(*)[4])context->list[0]->shift,
         .first = fluid->weights.first,
@@ -218,7 +222,7 @@ static struct rigid_work work_make(const struct physics_context *context) {
     struct fluid *fluid = context->self;
     struct rigid_work work = {
         .context = context, .fluid = fluid, .rigid = fluid->rigid, .flow = &fluid->flow};
-    work.grains = kinds_span(context->particles, context->classes, KIND_GRAIN);
+    work.grains = rigid_bodies_span(context);
     work.dt = grain_dt(context);
     work.share = work.dt / fluid->options->density;
     work.kappa = places_of(context).kappa;
@@ -256,15 +260,20 @@ bool rigid_step(const struct physics_context *context, struct error *error) {
 void rigid_step_look(const struct physics_context *context) {
     const struct fluid *fluid = context->self;
     const struct particles *p = context->particles;
-    struct kind_span grains = kinds_span(p, context->classes, KIND_GRAIN);
+    struct kind_span grains = rigid_bodies_span(context);
     double(*load)[6] = fluid_load(p), *drag = fluid_drag(p);
     solid_fill(context);
-    for (size_t i = grains.first; i < grains.end; i++)
+    for (size_t i = grains.first; i < grains.end; i++) {
+        bool member = rigid_bodies_member(p, i);
+        double displaced =
+            member ? 0
+                   : rigid_bodies_inertia(context, (const double(*)[2])fluid->rigid->section, i).displaced;
         for (int d = 0; d < context->box->dimension; d++)
             drag[3 * i + (size_t)d] =
-                isnan(load[i][d])
+                member || isnan(load[i][d])
                     ? 0
-                    : load[i][d] - fluid->drive.force[d] * grain_displaced(context, p->state[i].radius);
+                    : load[i][d] - fluid->drive.force[d] * displaced / fluid->options->density;
+    }
 }
 
 void rigid_step_free(struct rigid *rigid) {
@@ -274,4 +283,5 @@ void rigid_step_free(struct rigid *rigid) {
     memory_free(rigid->try);
     memory_free(rigid->lack);
     memory_free(rigid->sums);
+    memory_free(rigid->section);
 }

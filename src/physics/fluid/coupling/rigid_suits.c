@@ -1,8 +1,10 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* What does not go with rigid grains. Read rigid_suits.h first. */
 #include "physics/fluid/coupling/rigid_suits.h"
+#include "physics/bodies/bodies.h"
 #include "physics/fluid/coupling/unresolved_grains.h"
 #include "physics/fluid/fluid.h"
+#include <stdio.h>
 
 static bool refuse(const struct physics_context *context, const char *key, const char *why,
                    const char *allowed, struct error *error) {
@@ -10,13 +12,28 @@ static bool refuse(const struct physics_context *context, const char *key, const
                       "%s does not go with fluid.grains.coupling: rigid; allowed with it: %s", why, allowed);
 }
 
+/* The fluid in a body has the centre and the moments of its shape. */
+static bool bodies_suit(const struct physics_context *context, struct error *error) {
+    const struct scene *scene = context->scene;
+    const struct bodies_options *bodies =
+        scene->physics_given[PHYSICS_bodies] ? (const void *)scene->physics[PHYSICS_bodies] : NULL;
+    for (int k = 0; bodies != NULL && k < bodies->clumps; k++) {
+        char key[64];
+        snprintf(key, sizeof key, "bodies.clumps[%d]", k);
+        if (bodies->clump[k].centre_given > 0 || bodies->clump[k].inertia_given > 0)
+            return refuse(context, key, "a given centre or inertia", "those of the shape", error);
+    }
+    return true;
+}
+
 bool rigid_suits(const struct physics_context *context, struct error *error) {
     const struct fluid_options *options = context->options;
     if (!fluid_rigid(options) && context->scene->physics_given[PHYSICS_hard])
-        return scene_fail(
-            context->scene, error, "fluid",
-            "a fluid around grains with contact.solver needs grains in which the flow is rigid; "
-            "allowed with it: fluid.grains.coupling: rigid");
+        return scene_fail(context->scene, error, "fluid",
+                          "a fluid around grains with contact.solver needs coupling: rigid (fluid.grains)");
+    if (!fluid_rigid(options) && context->scene->physics_given[PHYSICS_bodies])
+        return scene_fail(context->scene, error, "fluid",
+                          "a fluid around bodies needs coupling: rigid (fluid.grains)");
     if (!fluid_rigid(options))
         return true;
     if (options->time != FLUID_TRANSIENT)
@@ -36,7 +53,5 @@ bool rigid_suits(const struct physics_context *context, struct error *error) {
         return refuse(context, "fluid.fill.arrangement", "this lattice", "cubic", error);
     if (options->fill.jitter > 0)
         return refuse(context, "fluid.fill.jitter", "a displaced lattice", "0", error);
-    if (context->scene->physics_given[PHYSICS_bodies])
-        return refuse(context, "bodies", "a rigid body", "single grains", error);
-    return true;
+    return bodies_suit(context, error);
 }

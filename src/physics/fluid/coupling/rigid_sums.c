@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* Sums over the nodes of grains. Read rigid_sums.h first. */
 #include "physics/fluid/coupling/rigid_sums.h"
-#include "kernel/particles/spin.h"
-#include "physics/fluid/coupling/grain_coupling.h"
+#include "physics/fluid/coupling/rigid_bodies.h"
+#include "base/vector.h"
 #include "physics/fluid/coupling/rigid_fields.h"
 #include "physics/fluid/fluid_fields.h"
 #include "physics/fluid/fluid_state.h"
@@ -71,52 +71,53 @@ void rigid_sums_momenta(const struct rigid_work *work, const double (*v)[3]) {
     sums_bring(work);
 }
 
-/* What a grain has that the fluid in it has not; `held`: its motion is given. */
-static struct rigid_grains_own own_of(const struct rigid_work *work, size_t i, double *displaced,
-                                      double *moment) {
+/* What a grain has that the fluid in it has not: where it is lighter, by the mean of a sphere alone over all lattices, and by the present sums of a body. */
+static struct rigid_grains_own own_of(const struct rigid_work *work, size_t i,
+                                      const struct rigid_inertia *inertia) {
     const struct physics_context *context = work->context;
     const struct fluid_options *options = work->fluid->options;
-    const struct particle_state *state = &context->particles->state[i];
-    int dimension = context->box->dimension;
-    double r = state->radius, mass = state->inverse_mass > 0 ? 1 / state->inverse_mass : 0,
-           inertia = 0.4 * mass * r * r, volume, second;
-    *displaced = options->density * grain_displaced(context, r);
-    *moment = (dimension == 2 ? 0.5 : 0.4) * *displaced * r * r;
-    struct rigid_grains_own own = {.dimension = dimension, .turns = spin_of(context->particles) != NULL};
-    solid_mean(r, options->spacing, work->kappa, dimension, &volume, &second);
-    own.mass = mass - (mass >= *displaced ? *displaced : options->density * volume);
-    own.inertia = inertia - (inertia >= *moment ? *moment : options->density * second);
+    const struct rigid_grains_sums *sums = &work->rigid->sums[i - work->grains.first];
+    const bool light = inertia->mass < inertia->displaced;
+    struct rigid_grains_own own = {.dimension = context->box->dimension, .turns = inertia->turns};
+    double volume, second;
+    if (!inertia->body)
+        solid_mean(context->particles->state[i].radius, options->spacing, work->kappa,
+                   context->box->dimension, &volume, &second);
+    own.mass = inertia->mass - (!light          ? inertia->displaced
+                                : inertia->body ? sums->mass
+                                                : options->density * volume);
     own.late_mass = fmin(0.5 * own.mass, 0);
-    own.late_inertia = fmin(0.5 * own.inertia, 0);
     own.mass -= own.late_mass;
-    own.inertia -= own.late_inertia;
+    for (int k = 0; k < 6; k++) {
+        bool swings = inertia->body ? light : inertia->own[k] < inertia->fluid[k];
+        own.inertia[k] = inertia->own[k] - (!swings         ? inertia->fluid[k]
+                                            : inertia->body ? sums->second[k]
+                                            : k < 3         ? options->density * second
+                                                            : 0);
+        own.late_inertia[k] =
+            inertia->body ? (light ? 0.5 * own.inertia[k] : 0) : fmin(0.5 * own.inertia[k], 0);
+        own.inertia[k] -= own.late_inertia[k];
+    }
     return own;
 }
 
 /* The right-hand side of the equations of a grain that the fluid moves: `load` are the momenta of v. */
-static void momentum_of(const struct rigid_work *work, size_t i, const struct rigid_grains_own *own,
-                        double displaced, double momentum[6]) {
+static void momentum_of(const struct rigid_work *work, size_t i, const struct rigid_inertia *inertia,
+                        const struct rigid_grains_own *own, double momentum[6]) {
     const struct physics_context *context = work->context;
     const double *load = fluid_load(context->particles)[i],
                  *before = rigid_fields_motion(context->particles)[i],
                  *impulse = rigid_fields_impulse(context->particles)[i];
-    double weight = 1 / context->particles->state[i].inverse_mass - displaced;
+    double weight = inertia->mass - inertia->displaced, spin[3], late[3], top[3] = {0};
+    rigid_grains_spin(own->inertia, before + 3, spin);
+    rigid_grains_spin(own->late_inertia, before + 9, late);
+    if (inertia->body) /* its inertia turns with it */
+        vector_cross(before + 3, spin, top);
     for (int d = 0; d < 3; d++) {
         momentum[d] = load[d] + own->mass * before[d] - own->late_mass * before[6 + d] +
                       weight * context->scene->gravity[d] * work->dt + impulse[d];
-        momentum[3 + d] =
-            load[3 + d] + own->inertia * before[3 + d] - own->late_inertia * before[9 + d] + impulse[3 + d];
+        momentum[3 + d] = load[3 + d] + spin[d] - late[d] + impulse[3 + d] - work->dt * top[d];
     }
-}
-
-/* The given motion of a grain that the fluid does not move. */
-static void motion_given(const struct rigid_work *work, size_t i, double motion[6]) {
-    const struct particles *p = work->context->particles;
-    double(*spin)[4] = spin_of(p);
-    memcpy(motion, p->state[i].v, 3 * sizeof *motion);
-    memset(motion + 3, 0, 3 * sizeof *motion);
-    if (spin != NULL)
-        memcpy(motion + 3, spin[i], 3 * sizeof *motion);
 }
 
 void rigid_sums_motions(const struct rigid_work *work) {
@@ -124,13 +125,17 @@ void rigid_sums_motions(const struct rigid_work *work) {
     struct particles *p = context->particles;
     double(*found)[6] = rigid_fields_found(p);
     for (size_t i = work->grains.first; i < work->grains.end; i++) {
-        double displaced, moment, momentum[6];
-        struct rigid_grains_own own = own_of(work, i, &displaced, &moment);
-        if (!grain_moves(context, i)) {
-            motion_given(work, i, found[i]);
+        if (rigid_bodies_member(p, i))
+            continue;
+        struct rigid_inertia inertia =
+            rigid_bodies_inertia(context, (const double(*)[2])work->rigid->section, i);
+        if (!inertia.moves) {
+            rigid_bodies_given(context, i, found[i]);
             continue;
         }
-        momentum_of(work, i, &own, displaced, momentum);
+        struct rigid_grains_own own = own_of(work, i, &inertia);
+        double momentum[6];
+        momentum_of(work, i, &inertia, &own, momentum);
         rigid_grains_solve(&work->rigid->sums[i - work->grains.first], &own, momentum, found[i]);
     }
     if (context->ghosts == NULL)
@@ -140,32 +145,39 @@ void rigid_sums_motions(const struct rigid_work *work) {
     ghosts_forward_end(context->ghosts, p);
 }
 
-void rigid_sums_loads(const struct rigid_work *work) {
+/* The load of a grain, and its new motion. */
+static void load_of(const struct rigid_work *work, size_t i) {
     struct particles *p = work->context->particles;
-    for (size_t i = work->grains.first; i < work->grains.end; i++) {
-        const struct rigid_grains_sums *sums = &work->rigid->sums[i - work->grains.first];
-        double *load = fluid_load(p)[i], *motion = rigid_fields_motion(p)[i], displaced, moment, given[6];
-        const double *found = rigid_fields_found(p)[i];
-        struct rigid_grains_own own = own_of(work, i, &displaced, &moment), whole = {0};
-        bool moves = grain_moves(work->context, i);
-        double mass = moves ? 1 / p->state[i].inverse_mass : 0,
-               inertia = 0.4 * mass * p->state[i].radius * p->state[i].radius;
-        whole.mass = moves ? mass - own.mass : displaced;
-        whole.inertia = moves ? inertia - own.inertia : moment;
-        own.late_mass = moves ? own.late_mass : 0;
-        own.late_inertia = moves ? own.late_inertia : 0;
-        rigid_grains_momentum(sums, found, given);
-        for (int d = 0; d < 3; d++) {
-            load[d] =
-                (load[d] - given[d] + whole.mass * (found[d] - motion[d]) - own.late_mass * motion[6 + d]) /
-                work->dt;
-            load[3 + d] = (load[3 + d] - given[3 + d] + whole.inertia * (found[3 + d] - motion[3 + d]) -
-                           own.late_inertia * motion[9 + d]) /
-                          work->dt;
-        }
-        for (int d = 0; d < 6; d++) {
-            motion[6 + d] = found[d] - motion[d];
-            motion[d] = found[d];
-        }
+    const struct rigid_grains_sums *sums = &work->rigid->sums[i - work->grains.first];
+    double *load = fluid_load(p)[i], *motion = rigid_fields_motion(p)[i], given[6], change[6], spin[3],
+           late[3];
+    const double *found = rigid_fields_found(p)[i];
+    struct rigid_inertia inertia =
+        rigid_bodies_inertia(work->context, (const double(*)[2])work->rigid->section, i);
+    struct rigid_grains_own own = own_of(work, i, &inertia), whole = {.mass = inertia.displaced};
+    memcpy(whole.inertia, inertia.fluid, sizeof whole.inertia);
+    if (inertia.moves) {
+        whole.mass = inertia.mass - own.mass;
+        for (int k = 0; k < 6; k++)
+            whole.inertia[k] = inertia.own[k] - own.inertia[k];
+    } else {
+        own = (struct rigid_grains_own){0};
     }
+    for (int d = 0; d < 6; d++)
+        change[d] = found[d] - motion[d];
+    rigid_grains_momentum(sums, found, given);
+    rigid_grains_spin(whole.inertia, change + 3, spin);
+    rigid_grains_spin(own.late_inertia, motion + 9, late);
+    for (int d = 0; d < 3; d++) {
+        load[d] = (load[d] - given[d] + whole.mass * change[d] - own.late_mass * motion[6 + d]) / work->dt;
+        load[3 + d] = (load[3 + d] - given[3 + d] + spin[d] - late[d]) / work->dt;
+    }
+    memcpy(motion, found, sizeof change);
+    memcpy(motion + 6, change, sizeof change);
+}
+
+void rigid_sums_loads(const struct rigid_work *work) {
+    for (size_t i = work->grains.first; i < work->grains.end; i++)
+        if (!rigid_bodies_member(work->context->particles, i))
+            load_of(work, i);
 }

@@ -18,7 +18,8 @@ struct rigid {
     size_t rows, parts_room, grains;
     double (*bare)[3];              /* w, by row of the weights */
     double (*try)[3], (*lack)[3];   /* q, and what it lacks, by row that has parts of grains */
-    struct rigid_grains_sums *sums; /* by owned grain */
+    struct rigid_grains_sums *sums; /* by owned grain and body */
+    double (*section)[2];           /* rigid_bodies_sections */
     int64_t iterations, steps;      /* so far: solves of the pressure, and steps */
     bool apart;                     /* it was told that a fixed point was not found */
 };
@@ -29,7 +30,7 @@ struct rigid_work {
     struct fluid *fluid;
     struct rigid *rigid;
     const struct flow *flow;
-    struct kind_span grains; /* owned */
+    struct kind_span grains; /* owned grains and bodies */
     double dt, share;        /* share: dt / rho */
     double kappa;
 };

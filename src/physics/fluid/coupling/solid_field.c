@@ -2,6 +2,7 @@
 /* The part of nodes that grains fill. Read solid_field.h first. */
 #include "physics/fluid/coupling/solid_field.h"
 #include "base/memory.h"
+#include "physics/fluid/coupling/rigid_bodies.h"
 #include "kernel/particles/kinds.h"
 #include <math.h>
 #include <string.h>
@@ -63,7 +64,10 @@ static struct solid_part part_of(const struct solid_places *places, const struct
         part.arm[d] = node->x[d] - grain->x[d] - shift[d];
         square += part.arm[d] * part.arm[d];
     }
-    part.share = solid_edge((sqrt(square) - grain->radius) / (SOLID_EDGE * places->spacing));
+    double distance = sqrt(square) - grain->radius;
+    if (places->bodies != NULL && rigid_bodies_member(places->bodies->particles, part.grain))
+        part.grain = rigid_bodies_carrier(places->bodies, part.grain, part.arm, &distance);
+    part.share = solid_edge(distance / (SOLID_EDGE * places->spacing));
     return part;
 }
 
@@ -74,6 +78,24 @@ static void room(struct solid_field *solid) {
     solid->part = memory_resize(solid->part, solid->part_room, sizeof *solid->part, "grains in a fluid");
     solid->start =
         memory_resize(solid->start, solid->part_room + 1, sizeof *solid->start, "grains in a fluid");
+}
+
+/* True if two parts are of the same image of a grain. */
+static bool same(const struct solid_part *a, const struct solid_part *b, double spacing) {
+    bool near = a->grain == b->grain;
+    for (int d = 0; d < 3; d++)
+        near = near && fabs(a->arm[d] - b->arm[d]) < 1e-3 * spacing;
+    return near;
+}
+
+/* Adds a part to its row, which is the last one; another one of the same body, through another member, may be there. */
+static void part_add(struct solid_field *solid, const struct solid_part *part, double spacing) {
+    for (size_t k = solid->start[solid->nodes - 1]; k < solid->parts; k++)
+        if (same(&solid->part[k], part, spacing)) {
+            solid->part[k].share = fmax(solid->part[k].share, part->share);
+            return;
+        }
+    solid->part[solid->parts++] = *part;
 }
 
 void solid_field_make(struct solid_field *solid, const struct solid_places *places, size_t rows,
@@ -87,9 +109,10 @@ void solid_field_make(struct solid_field *solid, const struct solid_places *plac
             continue;
         if (solid->parts == 0 || solid->part[solid->parts - 1].row != part.row)
             solid->start[solid->nodes++] = solid->parts;
-        solid->part[solid->parts++] = part;
-        filled[part.row] += part.share;
+        part_add(solid, &part, places->spacing);
     }
+    for (size_t k = 0; k < solid->parts; k++)
+        filled[solid->part[k].row] += solid->part[k].share;
     solid->start[solid->nodes] = solid->parts;
     for (size_t k = 0; k < solid->parts; k++) {
         struct solid_part *part = &solid->part[k];

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* The part of each node of a fixed lattice that grains fill, where the fluid fills the whole box, grains included
- * (`fluid.grains: {coupling: rigid}`). With the signed distance d of a node from the surface of grain i, negative inside,
+ * (`fluid.grains: {coupling: rigid}`). A body (rigid_bodies.h) has the largest phi of its members. With the signed distance d of a node from the surface of grain i, negative inside,
  *
  *   phi_i = (1 - sin(pi s / 2)) / 2,   s = d / (SOLID_EDGE spacing), cut to -1 ... 1;   Phi = min(1, sum of phi_i)
  *
@@ -9,6 +9,7 @@
 #ifndef SCREE_COUPLING_SOLID_FIELD_H
 #define SCREE_COUPLING_SOLID_FIELD_H
 
+#include "engine/physics.h"
 #include "kernel/pairs/interaction.h"
 
 #define SOLID_EDGE 1.0
@@ -18,8 +19,8 @@
 /* A node in the reach of a grain. */
 struct solid_part {
     uint32_t row;   /* of the weights */
-    uint32_t grain; /* number of the grain, owned or a copy */
-    double arm[3];  /* from the centre of the grain's image to the node */
+    uint32_t grain; /* number of the grain, or of the body, owned or a copy */
+    double arm[3];  /* from its centre, or the centre of its image, to the node */
     double share;   /* phi_i, then the grain's share of g */
 };
 
@@ -55,9 +56,10 @@ void solid_pairs_take(struct solid_field *solid, const struct pair_rows *pairs, 
 
 /* The places of nodes and grains. */
 struct solid_places {
-    const struct particle_state *state; /* by particle number, owned and copies */
-    const double (*shift)[4];           /* of image codes */
-    size_t first;                       /* the particle of row 0 */
+    const struct physics_context *bodies; /* of a scene that has bodies; NULL: there are none */
+    const struct particle_state *state;   /* by particle number, owned and copies */
+    const double (*shift)[4];             /* of image codes */
+    size_t first;                         /* the particle of row 0 */
     double spacing, kappa;
     int dimension;
 };

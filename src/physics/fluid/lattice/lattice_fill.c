@@ -286,7 +286,7 @@ bool lattice_fill_kept_suits(const struct physics_context *context, struct error
     const struct particles *p = context->particles;
     bool good = grain_grains_suit(context, error);
     for (size_t i = 0; good && i < p->owned; i++)
-        good = kinds_of(p)[i] == KIND_GRAIN || kept_suits(context, i, error);
+        good = kinds_of(p)[i] == KIND_GRAIN || kinds_of(p)[i] == KIND_BODY || kept_suits(context, i, error);
     for (size_t i = 0; i < p->owned + p->ghosts; i++)
         if (kinds_of(p)[i] == KIND_BOUNDARY && body_missing(context, fluid_body(p)[i]))
             fluid_body(p)[i] = BODY_NONE; /* until the guard stops the run */

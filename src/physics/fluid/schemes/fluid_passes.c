@@ -107,7 +107,7 @@ static uint64_t layout_of(const struct particles *p) {
     uint64_t sum = 1;
     for (size_t k = 0; k < p->owned + p->ghosts; k++) {
         const int64_t row[2] = {p->id[k], (int64_t)k};
-        if (kind[k] != KIND_GRAIN)
+        if (kind[k] == KIND_FLUID || kind[k] == KIND_BOUNDARY)
             sum = checksum_row(sum, row, sizeof row);
     }
     return sum ? sum : 1;

@@ -48,7 +48,9 @@ static void a_rigid_motion_stays(void **state) {
     const double motion[6] = {0.3, -1.2, 0.7, 2, -0.4, 1.1};
     double momentum[6] = {0}, found[6];
     struct rigid_grains_sums sums = {0};
-    struct rigid_grains_own own = {.mass = 2.5, .inertia = 0.7, .dimension = 3, .turns = true};
+    struct rigid_grains_own own = {
+        .mass = 2.5, .inertia = {0.7, 0.9, 0.8, 0.1, -0.05, 0.02}, .dimension = 3, .turns = true};
+    double spin[3];
     (void)state;
     for (int k = 0; k < 40; k++) {
         double arm[3] = {sin(3.1 * k), cos(1.7 * k), sin(0.9 * k + 1)}, mass = 0.1 + 0.05 * (k % 7), v[3];
@@ -61,9 +63,11 @@ static void a_rigid_motion_stays(void **state) {
         }
     }
     rigid_grains_momentum(&sums, motion, found);
+    rigid_grains_spin(own.inertia, motion + 3, spin);
+    assert_near(spin[0], 0.7 * 2 + 0.02 * -0.4 - 0.05 * 1.1, 1e-12);
     for (int d = 0; d < 6; d++) {
         assert_near(found[d], momentum[d], 1e-12);
-        momentum[d] += (d < 3 ? own.mass : own.inertia) * motion[d];
+        momentum[d] += d < 3 ? own.mass * motion[d] : spin[d - 3];
     }
     rigid_grains_solve(&sums, &own, momentum, found);
     for (int d = 0; d < 6; d++)
@@ -72,7 +76,7 @@ static void a_rigid_motion_stays(void **state) {
     rigid_grains_solve(&sums, &own, momentum, found);
     assert_near(found[0], momentum[0] / (sums.mass + own.mass), 1e-12);
     assert_near(found[4], 0, 0);
-    own = (struct rigid_grains_own){.mass = 2.5, .inertia = 0.7, .dimension = 2, .turns = true};
+    own = (struct rigid_grains_own){.mass = 2.5, .inertia = {0.7, 0.7, 0.7}, .dimension = 2, .turns = true};
     rigid_grains_solve(&sums, &own, momentum, found);
     assert_true(found[2] == 0 && found[3] == 0 && found[4] == 0 && found[5] != 0);
 }
