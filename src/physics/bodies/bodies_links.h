@@ -28,7 +28,8 @@ struct bodies_links {
     size_t *start; /* members of row b: member[start[b]] ... [start[b + 1]), by their number */
     uint32_t *member;
     int32_t *pose_of; /* of owned particles, as in struct carried; with a solver of contacts also of copies */
-    double (*offset)[3], (*shift)[3];
+    double (*offset)[3];
+    int32_t (*image)[3];
     struct ghosts_part *part; /* NULL: one rank */
 };
 
