@@ -2,6 +2,7 @@
 /* Moves the box, and tells the other parts. Read deform.h first. */
 #include "engine/deform.h"
 #include "base/memory.h"
+#include "kernel/particles/kinds.h"
 #include <assert.h>
 #include <math.h>
 #include <string.h>
@@ -62,8 +63,11 @@ void deform_begin(struct simulation *s) {
     double sum[3];
     if (!s->servo.on || s->servo.mass > 0) /* of a checkpoint */
         return;
+    const uint8_t *kind = kinds_of(s->particles);
     for (size_t k = 0; k < s->particles->owned; k++) {
         const struct particle_state *state = &s->particles->state[k];
+        if (kind && kind[k] != KIND_GRAIN) /* a body is there by its members */
+            continue;
         exact_add(&exact[0], state->inverse_mass > 0 ? 1 / state->inverse_mass : 0);
         exact_add(&exact[1], 4.0 / 3 * M_PI * state->radius * state->radius * state->radius);
         exact_add(&exact[2], 1);
@@ -172,6 +176,9 @@ static void shear_control(struct simulation *s, const struct packing *packing, d
 
 void deform_flow(struct simulation *s) {
     double change[4];
+    struct fields_flow flow[FIELDS_MAX];
+    const int flows = fields_flowing(s->particles, flow);
+    const uint8_t *kind = kinds_of(s->particles);
     if (!box_follow(&s->box, change))
         return;
 #pragma omp parallel for schedule(static)
@@ -180,6 +187,9 @@ void deform_flow(struct simulation *s) {
         box_accelerate(&s->box, change, s->particles->state[k].x, more);
         for (int d = 0; d < 3; d++)
             s->particles->state[k].v[d] += more[d];
+        for (int f = 0; f < flows; f++)
+            for (int d = 0; d < 3 && (!flow[f].kinds || (flow[f].kinds >> kind[k] & 1)); d++)
+                flow[f].value[k][d] += more[d];
     }
 }
 

@@ -63,8 +63,8 @@ static const struct engine_pass before_close[] = {
     {"caller", "a force of the calling program", "contact", NEED_CALLER, caller_run}, {0}};
 
 static const struct engine_pass after_close[] = {
-    {"stress", "a box that follows its stress", "comm", NEED_STRESS, deform_control},
     {"reverse", "newton on, several ranks", "comm", NEED_RANKS | NEED_REVERSE, reverse_run},
+    {"stress", "a box that follows its stress", "comm", NEED_STRESS, deform_control},
     {0}};
 
 void step_plan(struct simulation *s) {

@@ -55,16 +55,18 @@ static void add_rotational(const struct output_view *view, const struct observab
     (void)item;
     const struct particle_state *state = &view->particles->state[i];
     const struct carried_pose *body = body_of(view, i);
-    double v[3], w[3], centre[3], square = 0;
+    double v[3], w[3], drift[3], square = 0;
     if (body)
         part[0] += body->energy;
     if (!spin_of(view->particles) || !is_free(view->particles, i))
         return;
     integrator_full_step(view->particles, view->motion, i, v, w);
     if (is_carried(view, i)) {
-        observables_velocity_of_body(view, i, centre);
+        const struct carried *carried = view->motion->carried;
+        const double *centre = carried->pose[carried->pose_of[i]].full_v;
+        carried_drift(carried, i, drift);
         for (int d = 0; d < 3; d++)
-            square += (v[d] - centre[d]) * (v[d] - centre[d]);
+            square += (v[d] - drift[d] - centre[d]) * (v[d] - drift[d] - centre[d]);
     }
     part[0] += 0.5 * square / state->inverse_mass;
     part[0] +=
@@ -84,7 +86,10 @@ static void add_momentum(const struct output_view *view, const struct observable
                          double *part) {
     (void)item;
     double v[3];
-    observables_velocity(view, i, v, NULL);
+    if (is_carried(view, i) && view->box->motion.moves) /* its own image moves otherwise */
+        observables_velocity_of_body(view, i, v);
+    else
+        observables_velocity(view, i, v, NULL);
     for (int d = 0; is_free(view->particles, i) && d < 3; d++)
         part[d] += v[d] / view->particles->state[i].inverse_mass;
 }

@@ -108,10 +108,16 @@ void observables_velocity(const struct output_view *view, size_t i, double veloc
 
 void observables_velocity_of_body(const struct output_view *view, size_t i, double velocity[3]) {
     const struct carried *carried = view->motion->carried;
-    if (carried && carried->pose_of[i] >= 0)
-        memcpy(velocity, carried->pose[carried->pose_of[i]].full_v, 3 * sizeof *velocity);
-    else
+    double x[3];
+    if (!carried || carried->pose_of[i] < 0) {
         observables_velocity(view, i, velocity, NULL);
+        return;
+    }
+    const struct carried_pose *pose = &carried->pose[carried->pose_of[i]];
+    memcpy(velocity, pose->full_v, 3 * sizeof *velocity);
+    memcpy(x, pose->x, sizeof x);
+    if (view->box->motion.moves)
+        box_wrap(view->box, x, velocity);
 }
 
 bool observables_region_contains(const struct output_region *region, const double x[3]) {

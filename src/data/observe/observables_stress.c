@@ -11,7 +11,10 @@
  * Mehrabadi and Nemat-Nasser, J. Appl. Mech. 48 (1981) 339; shared out by halves, particles at the rim of a
  * small region count with parts that lie outside, so the error goes with diameter over width. The kinetic
  * part uses v itself, the mean flow included; in a box that moves, v relative to its mean flow (box_flow), as
- * images of a particle have different velocities there. */
+ * images of a particle have different velocities there.
+ *
+ * A force on a grain that a body carries acts at the centre of the body, and the velocity of this centre counts: what holds the
+ * body together then has no part in the stress (carried_stress). */
 #include "data/observe/observables_kinds.h"
 
 #include <math.h>
@@ -22,6 +25,8 @@ void observables_stress_flux(const struct output_view *view, const struct observ
     if (!(inverse > 0) || !observables_item_counts(view, item, i))
         return;
     integrator_full_step(view->particles, view->motion, i, v, NULL);
+    if (view->motion->carried && view->motion->carried->pose_of[i] >= 0)
+        carried_stress(view->motion->carried, view->particles, i, true, v, part);
     if (view->box->motion.moves) {
         box_flow(view->box, view->particles->state[i].x, flow);
         for (int d = 0; d < 3; d++)

@@ -38,6 +38,16 @@ void box_image_velocities(const struct box *box, double velocity[IMAGE_CODES][4]
     images_fill(vector, velocity);
 }
 
+void box_images(const struct box *box, const double vector[3], int32_t image[3]) {
+    const struct box_motion *motion = &box->motion;
+    for (int k = 0; k < 3; k++) {
+        int d = motion->shears ? (motion->gradient + k) % 3 : k;
+        bool carried = motion->shears && d == motion->flow;
+        double along = vector[d] - (carried ? image[motion->gradient] * motion->offset : 0);
+        image[d] = box->periodic[d] ? (int32_t)rint(along / box->edge[d]) : 0;
+    }
+}
+
 void box_unwrap(const struct box *box, const int32_t crossed[3], double shift[3]) {
     const struct box_motion *motion = &box->motion;
     for (int d = 0; d < 3; d++)

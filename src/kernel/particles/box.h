@@ -62,12 +62,15 @@ void box_image_shifts(const struct box *box, double shift[IMAGE_CODES][4]);
 void box_image_velocities(const struct box *box, double velocity[IMAGE_CODES][4]);
 
 /* The vector (length unit) that `image`, in edges of the box, adds to a position. */
-static inline void box_shift(const struct box *box, const int image[3], double shift[3]) {
+static inline void box_shift(const struct box *box, const int32_t image[3], double shift[3]) {
     for (int d = 0; d < 3; d++)
         shift[d] = image[d] * box->edge[d];
     if (box->motion.shears)
         shift[box->motion.flow] += image[box->motion.gradient] * box->motion.offset;
 }
+
+/* The image whose shift is a vector, up to less than half an edge. */
+void box_images(const struct box *box, const double vector[3], int32_t image[3]);
 
 /* The velocity (length/time) that `image` adds to that of its original. */
 static inline void box_drift(const struct box *box, const int image[3], double drift[3]) {

@@ -113,6 +113,16 @@ int fields_register_with_force(struct particles *particles, const struct field *
     return f;
 }
 
+int fields_flowing(const struct particles *particles, struct fields_flow flow[FIELDS_MAX]) {
+    const struct field_list list = fields_with(particles, FIELD_FLOWS);
+    for (int k = 0; k < list.count; k++) {
+        const struct field *field = fields_get(particles, list.field[k]);
+        assert(field->type == FIELD_DOUBLE && field->components == 3 && field->room == 0);
+        flow[k] = (struct fields_flow){fields_base(particles, list.field[k], NULL), field->kinds};
+    }
+    return list.count;
+}
+
 struct field_list fields_with(const struct particles *particles, unsigned use) {
     struct field_list list = {.count = 0};
     for (int f = 0; f < particles->storage->fields; f++)

@@ -39,6 +39,7 @@ enum field_use {
     FIELD_ASKED = 64,    /* in files only where a list of fields names it */
     FIELD_SPATIAL = 128, /* in files: as many components as the box has dimensions */
     FIELD_FIXED = 256,   /* never changes for a particle: files hold it once */
+    FIELD_FLOWS = 512, /* a velocity of three doubles: follows the mean flow of a box that moves, as v does */
     FIELD_TRAVELS = FIELD_MIGRATE | FIELD_RESTART
 };
 
@@ -109,6 +110,13 @@ struct field_list {
 /* All fields of a set that have any of the bits in `use`; a list of one field. */
 struct field_list fields_with(const struct particles *particles, unsigned use);
 struct field_list fields_one(int f);
+
+/* The values of the FIELD_FLOWS fields of a set; returns their number. Those of other kinds stay `fill`. */
+struct fields_flow {
+    double (*value)[3];
+    unsigned kinds; /* bits 1 << kind; 0: all */
+};
+int fields_flowing(const struct particles *particles, struct fields_flow flow[FIELDS_MAX]);
 
 /* True if a list has a field. */
 bool fields_listed(const struct field_list *list, int f);

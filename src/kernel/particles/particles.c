@@ -286,9 +286,10 @@ static double wrap_coordinate(double *x, double edge) {
 }
 
 /* Wraps one particle of a box that moves: an image has a velocity of its own, and a turn along the gradient of
- * a shear moves the particle along the flow, which is wrapped afterwards. False if crossings cannot be counted. */
+ * a shear moves the particle along the flow, which is wrapped afterwards. `jump` gets what the velocity has lost. False if
+ * crossings cannot be counted. */
 static bool wrap_moving(struct particle_state *state, const struct box *box, double velocity[IMAGE_CODES][4],
-                        int32_t *crossed) {
+                        int32_t *crossed, double jump[3]) {
     const struct box_motion *motion = &box->motion;
     double image[3] = {0};
     for (int k = 0; k < 3; k++) {
@@ -299,8 +300,10 @@ static bool wrap_moving(struct particle_state *state, const struct box *box, dou
         const double *gained = velocity[image_code(one[0], one[1], one[2])];
         double turns = wrap_coordinate(&state->x[d], box->edge[d]);
         bool slides = motion->shears && d == motion->gradient;
-        for (int c = 0; c < 3; c++)
+        for (int c = 0; c < 3; c++) {
             state->v[c] -= turns * gained[c];
+            jump[c] += turns * gained[c];
+        }
         if (slides)
             state->x[motion->flow] -= turns * motion->offset;
         image[d] += turns;
@@ -315,7 +318,18 @@ static bool wrap_moving(struct particle_state *state, const struct box *box, dou
     return true;
 }
 
+/* Takes a jump off the other velocities of particle k. */
+static void jump_flow(const struct fields_flow *flow, int flows, const uint8_t *kind, size_t k,
+                      const double jump[3]) {
+    for (int f = 0; f < flows; f++)
+        for (int c = 0; c < 3 && (!flow[f].kinds || (flow[f].kinds >> kind[k] & 1)); c++)
+            flow[f].value[k][c] -= jump[c];
+}
+
 bool particles_wrap(struct particles *particles, const struct box *box) {
+    struct fields_flow flow[FIELDS_MAX];
+    const int flows = fields_flowing(particles, flow);
+    const uint8_t *kind = kinds_of(particles);
     int bad = 0;
     double velocity[IMAGE_CODES][4];
     if (box->motion.moves)
@@ -329,7 +343,9 @@ bool particles_wrap(struct particles *particles, const struct box *box) {
             continue;
         }
         if (box->motion.moves) {
-            bad |= !wrap_moving(&particles->state[k], box, velocity, crossed ? crossed[k] : NULL);
+            double jump[3] = {0};
+            bad |= !wrap_moving(&particles->state[k], box, velocity, crossed ? crossed[k] : NULL, jump);
+            jump_flow(flow, flows, kind, k, jump);
             continue;
         }
         for (int d = 0; d < 3; d++) {

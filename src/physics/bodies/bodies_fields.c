@@ -18,7 +18,7 @@ static const struct field orientation = {
 static const struct field velocity = {.name = "body_velocity",
                                       .type = FIELD_DOUBLE,
                                       .components = 3,
-                                      .use = FIELD_TRAVELS,
+                                      .use = FIELD_TRAVELS | FIELD_FLOWS,
                                       .kinds = 1u << KIND_BODY,
                                       .unit = "m s-1",
                                       .needed_for = "bodies",

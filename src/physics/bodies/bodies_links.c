@@ -24,7 +24,7 @@ void bodies_links_free(struct bodies_links **links) {
     memory_free(l->member);
     memory_free(l->pose_of);
     memory_free(l->offset);
-    memory_free(l->shift);
+    memory_free(l->image);
     ghosts_part_destroy(&l->part);
     memory_free(l);
     *links = NULL;
@@ -136,10 +136,9 @@ static void member_place(struct bodies_links *l, const struct physics_context *c
     for (int d = 0; d < 3; d++)
         l->offset[i][d] = row->scale * sphere->centre[d];
     rotor_turn(pose->turn, l->offset[i], place);
-    for (int d = 0; d < 3; d++) {
-        double edge = context->box->edge[d], apart = x[d] - (pose->x[d] + place[d]);
-        l->shift[i][d] = context->box->periodic[d] ? edge * rint(apart / edge) : 0;
-    }
+    for (int d = 0; d < 3; d++)
+        place[d] = x[d] - (pose->x[d] + place[d]);
+    box_images(context->box, place, l->image[i]);
 }
 
 static void members_find(struct bodies_links *l, const struct physics_context *context) {
@@ -154,7 +153,7 @@ static void members_find(struct bodies_links *l, const struct physics_context *c
     size_t all = asked ? p->owned + p->ghosts : p->owned;
     l->pose_of = memory_allocate(all, sizeof *l->pose_of, "bodies of particles");
     l->offset = memory_allocate_zero(all, sizeof *l->offset, "places of members");
-    l->shift = memory_allocate_zero(all, sizeof *l->shift, "images of members");
+    l->image = memory_allocate_zero(all, sizeof *l->image, "images of members");
 #pragma omp parallel for schedule(static)
     for (size_t i = 0; i < all; i++) {
         l->pose_of[i] = body[i] >= 0 ? named_find(named, l->rows, body[i]) : -1;
@@ -206,6 +205,6 @@ void bodies_links_make(struct bodies *bodies, const struct physics_context *cont
     bodies_links_send(l);
     members_find(l, context);
     members_sort(l, context);
-    bodies->carried =
-        (struct carried){l->pose_of, (const double(*)[3])l->offset, (const double(*)[3])l->shift, l->pose};
+    bodies->carried = (struct carried){l->pose_of, (const double(*)[3])l->offset,
+                                       (const int32_t(*)[3])l->image, l->pose, context->box};
 }

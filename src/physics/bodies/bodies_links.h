@@ -29,7 +29,8 @@ struct bodies_links {
     uint32_t *member;
     int32_t *
         pose_of; /* of owned particles, as in struct carried; with a solver of contacts or a fluid also of copies */
-    double (*offset)[3], (*shift)[3];
+    double (*offset)[3];
+    int32_t (*image)[3];
     struct ghosts_part *part; /* NULL: one rank */
 };
 

@@ -340,6 +340,7 @@ static const struct physics_joints joints = {.joined = joined,
 static const struct physics_shown shown = {.full_step = full_step};
 
 const struct physics bodies_physics = {.name = "bodies",
+                                       .box_moves = true,
                                        .passes = sizeof passes / sizeof passes[0],
                                        .pass = passes,
                                        .check = check,

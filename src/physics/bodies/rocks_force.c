@@ -85,6 +85,8 @@ static struct law_contact contact_of(const struct rocks_scene *scene, const stru
         walls_surface_motion(scene->walls, pair->wall, at, inward, second, spin);
     } else {
         surface_velocity(scene, pair->end[1], arm[1], second);
+        for (int d = 0; d < 3 && scene->list->moves; d++)
+            second[d] += (pair->turned ? -1 : 1) * scene->list->drift[pair->image][d];
         memcpy(spin, scene->omega[pair->end[1]], sizeof spin);
     }
     struct law_contact in = {.overlap = touch->overlap,
@@ -311,8 +313,13 @@ void rocks_sum(struct bodies *bodies, const struct physics_context *context) {
         sums->elastic_normal += weight * pair->sums.normal;
         sums->elastic_tangential += weight * pair->sums.tangential;
         taken += weight * pair->sums.taken;
-        for (int c = 0; c < 6; c++)
+        for (int c = 0; c < 6; c++) {
             sums->virial[c] += weight * pair->sums.virial[c];
+            if (grains->exact)
+                exact_add(&grains->exact->sum[c], weight * pair->sums.virial[c]);
+        }
+        if (grains->exact)
+            exact_add(&grains->exact->sum[6], weight * pair->sums.normal);
         if (pair->sums.overlap <= sums->overlap_max)
             continue;
         sums->overlap_max = pair->sums.overlap;

@@ -264,10 +264,27 @@ static size_t contacts(const struct physics_context *context) {
     return ((const struct grains *)context->self)->sums.contact_sides;
 }
 
+/* Adds what the stress of grains that bodies carry has besides. */
+static void stress_carried(const struct physics_context *context, struct exact exact[STRESS_SUMS],
+                           double sum[STRESS_SUMS]) {
+    const struct carried *carried = ((const struct grains *)context->self)->motion.carried;
+    for (size_t i = 0; carried && i < context->particles->owned; i++) {
+        double part[6] = {0};
+        if (carried_by(context->particles)[i] < 0)
+            continue;
+        carried_stress(carried, context->particles, i, false, context->particles->state[i].v, part);
+        for (int c = 0; c < 6 && exact; c++)
+            exact_add(&exact[c], part[c]);
+        for (int c = 0; c < 6 && !exact; c++)
+            sum[c] += part[c];
+    }
+}
+
 static void stress(const struct physics_context *context, struct exact exact[STRESS_SUMS],
                    double sum[STRESS_SUMS]) {
     static_assert((int)STRESS_SUMS == (int)FORCE_EXACT, "sums of the stress");
     struct grains *grains = context->self;
+    stress_carried(context, exact, sum);
     if (exact) {
         for (int t = 0; t < context->threads; t++)
             for (int c = 0; c < STRESS_SUMS; c++)

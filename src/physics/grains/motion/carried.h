@@ -5,6 +5,7 @@
 #define SCREE_MOTION_CARRIED_H
 
 #include "kernel/particles/particles.h"
+#include "kernel/particles/box.h"
 
 /* Place and motion of a body. */
 struct carried_pose {
@@ -22,8 +23,10 @@ struct carried_pose {
 struct carried {
     const int32_t *pose_of;    /* of each owned particle: number of its pose; -1: it moves by itself */
     const double (*offset)[3]; /* of each owned particle: place in the body's frame, length */
-    const double (*shift)[3];  /* of each owned particle: added to its place, a multiple of the box's edges */
+    const int32_t (
+        *image)[3]; /* of each owned particle: image of the body whose member it is, in edges of the box */
     const struct carried_pose *pose;
+    const struct box *box;
 };
 
 /* Registers `body`. */
@@ -32,12 +35,21 @@ void carried_register(struct particles *particles);
 /* The id of the body that carries each particle, -1: none; NULL without bodies. Borrowed until the set grows. */
 int64_t *carried_by(const struct particles *particles);
 
-/* Moves the carried particle i with its body by one step that ended at the pose. Returns the larger of its
+/* Moves the carried particle i with its body by one step that ended at the pose; the box will end it, too. Returns the larger of its
  * squared speed and the square of its displacement over dt. `omega` NULL: particles have no spin. */
 double carried_move(const struct carried *carried, size_t i, double dt, bool flat,
                     struct particle_state *state, double *omega);
 
 /* Velocity and angular velocity of the carried particle i at the full step; omega may be NULL. */
 void carried_full_step(const struct carried *carried, size_t i, double velocity[3], double *omega);
+
+/* The velocity that the image of its body adds to that of the carried particle i; 0 in a box at rest. */
+void carried_drift(const struct carried *carried, size_t i, double drift[3]);
+
+/* What the stress of the carried particle i (six sums of products of length and force, or of mass and velocity, as in
+ * observables_stress.c) has beside that of one that moves by itself: the force on it acts at the centre of its body, whose
+ * velocity counts. `v`: of the particle, at the full step if `full`. */
+void carried_stress(const struct carried *carried, const struct particles *particles, size_t i, bool full,
+                    const double v[3], double part[6]);
 
 #endif
