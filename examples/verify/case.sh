@@ -125,13 +125,16 @@ tool() {
     ${CC:-cc} -O2 -o "$out/$1" "$here/../$1.c" -lm
 }
 
+# quoted TEXT: as it stands between two ' of gnuplot
+quoted() { echo "$1" | sed "s/'/''/g"; }
+
 # picture [X Y]: the plot.gp of the case, or else the rows `x reference computed` of $out/curve with the labels X and Y, into
 # VERIFY_IMAGES
 picture() {
     if [ -n "${VERIFY_IMAGES:-}" ] && command -v gnuplot >/dev/null; then
         plot=$here/plot.gp
         [ -e "$plot" ] || plot=$here/../curve.gp
-        gnuplot -e "out='$out/'; picture='$VERIFY_IMAGES/verify-$case.svg'; x='${1:-}'; y='${2:-}'" "$here/../style.gp" "$plot"
+        gnuplot -e "out='$out/'; picture='$VERIFY_IMAGES/verify-$case.svg'; x='$(quoted "${1:-}")'; y='$(quoted "${2:-}")'" "$here/../style.gp" "$plot"
     fi
 }
 

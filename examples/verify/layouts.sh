@@ -1,16 +1,16 @@
 #!/bin/sh
 # SPDX-License-Identifier: BSD-3-Clause
-# Runs the quick verification cases and the hard cases on every index and on 1, 2 and 4 ranks of 1 and 2 threads: layouts.sh [--all] [CASE...]
+# Runs the quick verification cases and the hard cases on every index and on 1 to 4 ranks of 1 and 2 threads: layouts.sh [--all] [CASE...]
 #
 # Every index on one rank, and every number of ranks and threads with one of the indexes in turn; --all: all of them together. A line a
 # layout: `INDEX, N ranks, M threads: C cases, F failed`, then the lines of the failed. Fails if one failed. With no CASE the hard cases
 # are run too, and docs/layouts.md is written (into the folder of the results where that cannot be). Cases that take a minute are left out
-# unless named.
+# unless named. LAYOUTS="INDEX,RANKS,THREADS ..." names the layouts.
 set -u
 here=$(cd "$(dirname "$0")" && pwd)
 . "$here/../common.sh"
 export SCREE OMP_WAIT_POLICY=passive
-layouts="brute,1,1 linkcell,1,1 multi,1,1 bytype,1,1 hgrid,1,1 brute,1,2 bytype,2,1 multi,2,2 linkcell,4,1 hgrid,4,2"
+layouts=${LAYOUTS:-brute,1,1 linkcell,1,1 multi,1,1 bytype,1,1 hgrid,1,1 brute,1,2 bytype,2,1 multi,2,2 linkcell,3,1 linkcell,4,1 hgrid,4,2}
 if [ "${1:-}" = --all ]; then
     layouts=$(for index in brute linkcell multi bytype hgrid; do for ranks in 1 2 4; do for threads in 1 2; do echo "$index,$ranks,$threads"; done; done; done)
     shift
