@@ -71,8 +71,6 @@ static bool shapes_make(struct bodies *bodies, const struct physics_context *con
 
 static bool check_others(const struct physics_context *context, struct error *error) {
     const struct scene *scene = context->scene;
-    if (scene->physics_given[PHYSICS_bonds])
-        return scene_fail(scene, error, "bodies", "together with bonds: not built yet");
     if (scene->physics_given[PHYSICS_fluid])
         return scene_fail(scene, error, "bodies", "together with a fluid: not built yet");
     return true;

@@ -227,6 +227,15 @@ static void push_act(struct rocks_pair *pair, const struct ends *ends, const str
     force_add_virial(pair->sums.virial, 1, branch, force);
 }
 
+/* True if another physics, as that of bonds, stands for the contact of a pair. */
+static bool joined(const struct scene_of *scene, const struct rocks_pair *pair) {
+    PHYSICS_EACH (active, scene->context->set, joints)
+        if (active->row != &bodies_physics && active->row->joints->joins(&active->context) &&
+            active->row->joints->joined(&active->context, pair->end[0], pair->end[1]))
+            return true;
+    return false;
+}
+
 /* The contact of a pair in this evaluation. */
 static void pair_act(const struct scene_of *scene, struct rocks_pair *pair) {
     struct rocks_memory now[TOUCH_POINTS_MAX];
@@ -236,7 +245,7 @@ static void pair_act(const struct scene_of *scene, struct rocks_pair *pair) {
     memset(pair->torque, 0, sizeof pair->torque);
     pair->sums = (struct rocks_sums){0};
     bool touches =
-        ends_make(scene, pair, &ends) &&
+        (pair->wall >= 0 || !joined(scene, pair)) && ends_make(scene, pair, &ends) &&
         (pair->wall >= 0 ? plane_touch(scene, pair, &ends, &touch)
                          : touch_find(&ends.posed[0], &ends.posed[1], ends.apart, &pair->simplex, &touch));
     if (!touches) {
