@@ -6,7 +6,7 @@ EXTRA_DIST += \
 	%D%/lammps/in.hertz %D%/near.awk %D%/readers.py %D%/scenes.sh
 dist_check_SCRIPTS += \
 	%D%/ablate.sh %D%/bad_input.sh %D%/baseline.sh %D%/belt.sh %D%/bench.sh %D%/benchmarks.sh %D%/bodies.sh \
-	%D%/bodies_bonds.sh %D%/bodies_boxes.sh %D%/bodies_come.sh %D%/bonds.sh %D%/cohesion.sh %D%/density.sh \
+	%D%/bodies_bonds.sh %D%/bodies_boxes.sh %D%/bodies_come.sh %D%/bodies_drag.sh %D%/bonds.sh %D%/cohesion.sh %D%/density.sh \
 	%D%/drag.sh %D%/drum.sh %D%/dust.sh %D%/endless.sh %D%/entries.sh %D%/faults.sh %D%/features.sh %D%/fluid.sh \
 	%D%/fluid_bodies.sh %D%/fluid_rigid.sh %D%/fluid_scalars.sh %D%/folder.sh %D%/guards.sh %D%/hard.sh \
 	%D%/heat.sh %D%/ids.sh %D%/lammps.sh %D%/layouts.sh %D%/library.sh %D%/many.sh %D%/needs.sh \

@@ -109,6 +109,9 @@ static void *create(const struct physics_context *context) {
         error_fatal("%s", none.text); /* a file that has changed since the check */
     if (bodies->options->rocks > 0)
         bodies->rocks = rocks_create(context);
+    for (int k = 0; k < bodies->shapes; k++)
+        if (place_swell(&bodies->clump[k]) > 0)
+            carried_register_solid(context->particles);
     grains_motion(context)->carried = &bodies->carried;
     return bodies;
 }
