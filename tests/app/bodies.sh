@@ -223,5 +223,4 @@ check 'inertia without mass' refused 'needs mass' crowd.yaml --set "$(entry "$tw
 check 'inertia of no body' refused 'no body has such moments' crowd.yaml --set "$(entry "$two, mass: 1, inertia: [1, 1, 3, 0, 0, 0]")"
 check 'a centre off the axis' refused 'the centre of mass is too far' crowd.yaml --set "$(entry "$two, mass: 1, inertia: [1, 1, 1, 0, 0, 0], centre: [0, 0.5, 0]")"
 check 'no quaternion' refused 'needs quaternion' crowd.yaml --set "$(entry "$two, orientation: given")"
-check 'bonds' refused 'together with bonds' crowd.yaml --set 'bonds={laws: [{k_n: 1, k_s: 1}]}'
 finish

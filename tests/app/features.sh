@@ -126,11 +126,11 @@ together() { # SCENE FEATURE...: on a line of its own
     check "$*" everywhere "$@"
 }
 together space hertz rolling clumps heat hot drag mesh moving grids files vtk packed
-together space bonds heat hot stokes density mesh servo insertion stages grids packed
+together space bonds clumps heat hot stokes density mesh servo insertion stages grids packed
 together space jkr clumps stokes density moving servo insertion groups files auto
 together space capillary bonds heat drag mesh moving deletion groups grids verlet files vtk packed
 together space thornton clumps heat hot density servo mesh groups stages
-together space eepa bonds drag density mesh moving insertion deletion auto
+together space eepa bonds clumps drag density mesh moving insertion deletion auto
 together space luding rolling bonds heat density groups leave insertion
 together space hertz rolling jkr insertion deletion stages servo heat hot drag
 together space capillary rolling clumps drag groups servo stages auto
@@ -168,11 +168,11 @@ balanced() {
 }
 balanced space hertz rolling clumps heat density closed
 balanced space bonds heat closed verlet
-balanced space luding rolling bonds density closed auto
+balanced space luding rolling bonds clumps density closed auto
 balanced space thornton clumps closed
 balanced space eepa bonds heat closed
 balanced plane hertz clumps heat closed
-balanced plane bonds heat closed
+balanced plane bonds clumps heat closed
 
 # refused WORDS SCENE FEATURE...: `check` names the key and the reason
 sets[hooke-jkr]=$'contact.cohesion=jkr\nmaterial_pairs[0].surface_energy=3'
@@ -185,7 +185,6 @@ refused() {
 named() {
     check "refused: ${*:2}" refused "$@"
 }
-named 'bodies: together with bonds' space clumps bonds
 named 'bonds: does not go with a box that moves' space bonds closed stressed
 named 'box.shear: does not go with walls' space sheared
 named 'box.shear: does not go with groups' space closed groups sheared

@@ -38,6 +38,9 @@ int place_shapes(const struct bodies_options *options, int entry, int *first);
 /* Refuses, by name, insertions that may not become the bodies that they would. Reads the shapes of `bodies` alone. */
 bool place_check(const struct bodies *bodies, const struct physics_context *context, struct error *error);
 
+/* Radii of members x this have together the volume of the body; 0: they have it as they are. */
+double place_swell(const struct clump *clump);
+
 /* `part` and `join` of struct physics_maker. */
 bool place_part(const struct bodies *bodies, uint64_t seed, const struct physics_grain *grain, int number,
                 struct physics_part *part);

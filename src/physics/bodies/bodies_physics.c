@@ -70,13 +70,6 @@ static bool shapes_make(struct bodies *bodies, const struct physics_context *con
     return true;
 }
 
-static bool check_others(const struct physics_context *context, struct error *error) {
-    const struct scene *scene = context->scene;
-    if (scene->physics_given[PHYSICS_bonds])
-        return scene_fail(scene, error, "bodies", "together with bonds: not built yet");
-    return true;
-}
-
 static bool check(const struct physics_context *context, struct error *error) {
     const struct bodies_options *options = context->options;
     char key[64];
@@ -93,7 +86,7 @@ static bool check(const struct physics_context *context, struct error *error) {
     struct bodies bodies = {0};
     bool good = shapes_make(&bodies, context, error) && place_check(&bodies, context, error);
     shapes_free(&bodies);
-    return good && check_others(context, error) && rocks_check(context, error);
+    return good && rocks_check(context, error);
 }
 
 struct bodies *bodies_of(const struct physics_set *set) {
@@ -110,6 +103,9 @@ static void *create(const struct physics_context *context) {
         error_fatal("%s", none.text); /* a file that has changed since the check */
     if (bodies->options->rocks > 0)
         bodies->rocks = rocks_create(context);
+    for (int k = 0; k < bodies->shapes; k++)
+        if (place_swell(&bodies->clump[k]) > 0)
+            carried_register_solid(context->particles);
     grains_motion(context)->carried = &bodies->carried;
     return bodies;
 }

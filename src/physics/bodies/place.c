@@ -128,6 +128,14 @@ static void body_make(struct bodies *bodies, const struct physics_context *conte
     rotor_turn(turn, spin, spin);
 }
 
+double place_swell(const struct clump *clump) {
+    double sum = 0;
+    for (int k = 0; k < clump->spheres; k++)
+        sum += particles_sphere_mass(clump->sphere[k].radius, 1);
+    const double swell = cbrt(clump->volume / sum);
+    return fabs(swell - 1) > 1e-9 ? swell : 0;
+}
+
 /* Wraps a place that may lie across periodic sides, and counts the crossings. */
 static void wrap(const struct box *box, double x[3], int32_t *image) {
     for (int d = 0; d < 3; d++) {
@@ -176,6 +184,8 @@ static void member_append(const struct bodies *bodies, const struct physics_cont
         density[m] = mass / particles_sphere_mass(state->radius, 1);
     if (temperature)
         temperature[m] = temperature[i];
+    if (carried_solid(p))
+        carried_solid(p)[m] = place_swell(clump) * state->radius;
     p->id[m] = id;
     carried_by(p)[m] = p->id[i];
     bodies_part(p)[m] = number;

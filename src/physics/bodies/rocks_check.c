@@ -33,8 +33,6 @@ bool rocks_check(const struct physics_context *context, struct error *error) {
         return true;
     if (scene->physics_given[PHYSICS_heat])
         return scene_fail(scene, error, "bodies.shapes", "together with heat: not built yet");
-    if (scene->physics_given[PHYSICS_drag])
-        return scene_fail(scene, error, "bodies.shapes", "together with drag: not built yet");
     if (output_interval_set(&scene->output.trajectory.contacts))
         return scene_fail(scene, error, "output.trajectory.contacts",
                           "the list of contacts knows none of rocks (bodies.shapes): not built yet");

@@ -140,6 +140,15 @@ static void push_act(struct rocks_pair *pair, const struct rocks_ends *ends, con
     force_add_virial(pair->sums.virial, 1, branch, force);
 }
 
+/* True if another physics, as that of bonds, stands for the contact of a pair. */
+static bool joined(const struct rocks_scene *scene, const struct rocks_pair *pair) {
+    PHYSICS_EACH (active, scene->context->set, joints)
+        if (active->row != &bodies_physics && active->row->joints->joins(&active->context) &&
+            active->row->joints->joined(&active->context, pair->end[0], pair->end[1]))
+            return true;
+    return false;
+}
+
 /* A point of one of the contacts of a pair. */
 struct chosen {
     int contact, point;
@@ -228,7 +237,9 @@ static void pair_act(const struct rocks_scene *scene, struct rocks_pair *pair, s
     memset(pair->force, 0, sizeof pair->force);
     memset(pair->torque, 0, sizeof pair->torque);
     pair->sums = (struct rocks_sums){0};
-    if (!rocks_ends_make(scene, pair, &ends) || rocks_features(scene, pair, &ends, probe, &features) == 0) {
+    const bool touches = (pair->wall >= 0 || !joined(scene, pair)) && rocks_ends_make(scene, pair, &ends) &&
+                         rocks_features(scene, pair, &ends, probe, &features) > 0;
+    if (!touches) {
         pair->points = 0;
         return;
     }

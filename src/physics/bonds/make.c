@@ -2,6 +2,8 @@
 /* Makes the bonds, once a run: between near particles, or from a list of ids. Read bonds.h first. */
 #include "physics/bonds/bonds_state.h"
 #include "kernel/comm/comm.h"
+#include "kernel/particles/kinds.h"
+#include "physics/grains/motion/carried.h"
 #include "kernel/particles/material.h"
 #include "base/memory.h"
 #include "base/lines.h"
@@ -169,7 +171,7 @@ bool bonds_list_good(const char *path, struct error *error) {
 }
 
 /* A particle of the list, known to all ranks. */
-enum { END_COUNT, END_X, END_MATERIAL = 4, END_GROUP, END_NUMBERS };
+enum { END_COUNT, END_X, END_MATERIAL = 4, END_GROUP, END_BODY, END_KIND, END_NUMBERS };
 
 /* Finds the particles of the list on all ranks. */
 static double (*ends_find(const struct bonds *bonds, const struct id_list *list))[END_NUMBERS] {
@@ -189,6 +191,8 @@ static double (*ends_find(const struct bonds *bonds, const struct id_list *list)
         end[k][END_COUNT] = 1.0;
         end[k][END_MATERIAL] = material_of(material_numbers(p), i);
         end[k][END_GROUP] = bonds_groups(p)[i];
+        end[k][END_BODY] = carried_by(p) ? (double)carried_by(p)[i] : -1.0;
+        end[k][END_KIND] = kinds_of(p) ? kinds_of(p)[i] : KIND_GRAIN;
         memcpy(&end[k][END_X], p->state[i].x, 3 * sizeof *end[k]);
     }
     memory_free(mine.row);
@@ -209,10 +213,18 @@ static void nearest(const struct box *box, const double a[3], const double b[3],
 static bool ends_join(const struct bonds *bonds, const int64_t id[2], double (*end)[END_NUMBERS],
                       struct heap *here, struct error *error) {
     double apart[3];
-    for (int e = 0; e < 2; e++)
+    for (int e = 0; e < 2; e++) {
         if (end[e][END_COUNT] == 0.0)
             return error_set(error, ERROR_USER, "%s: there is no particle %lld", bonds->options->list,
                              (long long)id[e]);
+        if (end[e][END_KIND] != KIND_GRAIN)
+            return error_set(error, ERROR_USER,
+                             "%s: particle %lld is no grain; allowed are grains, those of rigid bodies too",
+                             bonds->options->list, (long long)id[e]);
+    }
+    if (end[0][END_BODY] >= 0.0 && end[0][END_BODY] == end[1][END_BODY])
+        return error_set(error, ERROR_USER, "%s: the particles %lld and %lld are of one rigid body",
+                         bonds->options->list, (long long)id[0], (long long)id[1]);
     int entry = bonds_entry_of(bonds->options, (int[2]){(int)end[0][END_MATERIAL], (int)end[1][END_MATERIAL]},
                                (int[2]){(int)end[0][END_GROUP], (int)end[1][END_GROUP]});
     if (entry < 0)

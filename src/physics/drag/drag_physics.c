@@ -8,6 +8,8 @@
 #include "physics/drag/porosity.h"
 #include "engine/physics.h"
 #include "physics/drag/carrier.h"
+#include "physics/bodies/bodies.h"
+#include "physics/grains/motion/carried.h"
 #include "kernel/particles/groups.h"
 #include "kernel/particles/kinds.h"
 #include <math.h>
@@ -67,6 +69,12 @@ static bool check(const struct physics_context *context, struct error *error) {
     if (drag_law_get(options->law)->porous && context->box->dimension != 3)
         return scene_fail(context->scene, error, "drag.law",
                           "a law with a porosity needs a box of three dimensions; allowed in two: stokes, "
+                          "schiller_naumann");
+    const struct scene *scene = context->scene;
+    if (drag_law_get(options->law)->porous && scene->physics_given[PHYSICS_bodies] &&
+        ((const struct bodies_options *)(const void *)scene->physics[PHYSICS_bodies])->rocks > 0)
+        return scene_fail(scene, error, "drag.law",
+                          "a porosity is a sum over spheres; allowed with rocks (bodies.shapes): stokes, "
                           "schiller_naumann");
     struct carrier carrier;
     bool resolved = carrier_of(context->scene, &carrier);
@@ -144,10 +152,11 @@ static double factor_of(const struct physics_context *context, size_t i, double 
     const struct drag *drag = context->self;
     const struct particle_state *state = &context->particles->state[i];
     const double *porosity = drag_porosity(context->particles);
-    struct drag_case at = {.density = drag->density,
-                           .viscosity = drag->viscosity,
-                           .diameter = 2 * state->radius,
-                           .porosity = porosity ? porosity[i] : 1};
+    struct drag_case at = {
+        .density = drag->density,
+        .viscosity = drag->viscosity,
+        .diameter = 2 * carried_solid_radius(context->particles, carried_solid(context->particles), i),
+        .porosity = porosity ? porosity[i] : 1};
     double square = 0, moved = drag->resolved ? 1 : at.porosity, flow[3] = {0};
     drag_velocity(drag, time, slip);
     if (drag->resolved) /* before the first lists no grain has seen the fluid: without slip K is least */
@@ -168,7 +177,8 @@ static void act(const struct physics_context *context, int thread) {
     struct drag *drag = context->self;
     struct particles *p = context->particles;
     const uint8_t *kind = kinds_of(p);
-    const double *gravity = context->scene->gravity, half = 0.5 * context->clock->dt;
+    const double *gravity = context->scene->gravity, half = 0.5 * context->clock->dt,
+                 *solid = carried_solid(p);
     double(*law)[3] = (double(*)[3])drag_force(p), (*taken)[4] = carrier_force(p), given = 0;
     size_t first = p->owned * (size_t)thread / (size_t)context->threads;
     size_t last = p->owned * ((size_t)thread + 1) / (size_t)context->threads;
@@ -178,7 +188,7 @@ static void act(const struct physics_context *context, int thread) {
             continue;
         const double *v = p->state[i].v;
         double factor = factor_of(context, i, context->clock->time, slip), power = 0;
-        double mass = drag->density * porosity_volume(p->state[i].radius);
+        double mass = drag->density * porosity_volume(carried_solid_radius(p, solid, i));
         for (int d = 0; d < context->box->dimension; d++) {
             double before = law[i][d], buoyancy = -mass * gravity[d];
             law[i][d] = factor * slip[d];

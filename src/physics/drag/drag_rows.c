@@ -80,7 +80,8 @@ static void take_ratio(const struct output_view *view, const struct observable_i
         return;
     for (size_t d = 0; d < 3; d++)
         part[0] -= force[3 * i + d] * gravity[d] / size;
-    part[1] += size * (groups_mass(p, i) - drag_density(drag) * porosity_volume(p->state[i].radius));
+    part[1] += size * (groups_mass(p, i) -
+                       drag_density(drag) * porosity_volume(carried_solid_radius(p, carried_solid(p), i)));
 }
 
 static void take_porosity(const struct output_view *view, const struct observable_item *item, size_t i,

@@ -20,6 +20,23 @@ int64_t *carried_by(const struct particles *particles) {
     return fields_values(particles, &body);
 }
 
+static const struct field solid = {
+    .name = "solid_radius",
+    .type = FIELD_DOUBLE,
+    .components = 1,
+    .use = FIELD_TRAVELS | FIELD_FIXED,
+    .unit = "m",
+    .needed_for = "bodies",
+    .help = "radius of a sphere with a member's share of the volume of its body; 0: its own"};
+
+void carried_register_solid(struct particles *particles) {
+    fields_register(particles, &solid);
+}
+
+double *carried_solid(const struct particles *particles) {
+    return fields_values(particles, &solid);
+}
+
 static void turned(const double turn[9], const double place[3], double to[3]) {
     for (int d = 0; d < 3; d++)
         to[d] = turn[3 * d] * place[0] + turn[3 * d + 1] * place[1] + turn[3 * d + 2] * place[2];

@@ -35,6 +35,16 @@ void carried_register(struct particles *particles);
 /* The id of the body that carries each particle, -1: none; NULL without bodies. Borrowed until the set grows. */
 int64_t *carried_by(const struct particles *particles);
 
+/* For bodies of which the members together have another volume than the body: registers the radii of the spheres that have a
+ * member's share of it; and finds these radii, NULL if there are no such bodies, 0 of a grain that has its own volume. */
+void carried_register_solid(struct particles *particles);
+double *carried_solid(const struct particles *particles);
+
+/* The radius of the sphere with the volume that particle i stands for; `solid`: carried_solid. */
+static inline double carried_solid_radius(const struct particles *particles, const double *solid, size_t i) {
+    return solid && solid[i] > 0.0 ? solid[i] : particles->state[i].radius;
+}
+
 /* Moves the carried particle i with its body by one step that ended at the pose; the box will end it, too. Returns the larger of its
  * squared speed and the square of its displacement over dt. `omega` NULL: particles have no spin. */
 double carried_move(const struct carried *carried, size_t i, double dt, bool flat,
