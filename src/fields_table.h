@@ -13,7 +13,8 @@
     ROW(groups_register, scene->groups > 1)                                                                  \
     ROW(particles_count_images, scene->box.periodic[0] || scene->box.periodic[1] || scene->box.periodic[2])  \
     ROW(fluid_scalars_register, false)                                                                       \
-    ROW(fluid_electrolyte_register, false)
+    ROW(fluid_electrolyte_register, false)                                                                   \
+    ROW(rocks_register, false)
 
 struct particles;
 #define FIELDS_DECLARE(register_fields, needed) void register_fields(struct particles *particles);

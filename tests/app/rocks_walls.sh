@@ -113,7 +113,7 @@ particles: {from: random, count: 25, sizes: {law: uniform, min: 0.3, max: 0.5}, 
 bodies:
   shapes: [{name: cube, vertices: [0,0,0, 1,0,0, 0,1,0, 1,1,0, 0,0,1, 1,0,1, 0,1,1, 1,1,1], rounding: 0.08}]
 observables: {every: 500, list: [{name: energy_dissipated}, {name: wall_torque, target: drum}]}
-output: {dump: {every: 4000, fields: [id, position, velocity, angular_velocity]}, checkpoint: {every: 3000}}
+output: {trajectory: {every: 4000}, dump: {every: 4000, fields: [id, position, velocity, angular_velocity, rock_shape, rock_orientation]}, checkpoint: {every: 3000}}
 reproducible: true
 YAML
 rows() { tail -n "+$(grep -n '^ITEM: ATOMS' "$1/dump.lammpstrj" | tail -n 1 | cut -d : -f 1)" "$1/dump.lammpstrj" | grep -v '^ITEM' | sort -n; }
@@ -122,4 +122,13 @@ check 'cubes in a drum with a lifter' turns
 same() { rm -rf other && run_scene "$1" drum.yaml other "${@:2}" && rows other | cmp - drum.rows; }
 check 'the same bits on 3 ranks, hgrid' same 3 --set index.name=hgrid
 check 'the same bits after a resume on 2 ranks' same 2 --resume drum/checkpoint-3000.h5
+
+# Pictures: the faces of each cube, and no ball; of clumps the members alone
+facets() { "$scree" picture drum -o drum.pov && [ "$(grep -c '^object{R0 matrix' drum.pov)" = 25 ] && ! grep -q '^sphere.*texture' drum.pov && [ "$(grep -c '^triangle' drum.pov)" -ge 12 ]; }
+check 'a picture has the facets' facets
+turned() { grep -q 'quatw quati quatj quatk rock_shape' drum/dump.lammpstrj && awk 'NF == 16 && $16 == 0 { d = $12 ^ 2 + $13 ^ 2 + $14 ^ 2 + $15 ^ 2 - 1; n++; if (d * d > 1e-24) bad = 1 } END { exit bad || n < 25 }' drum/dump.lammpstrj; }
+check 'a dump has shapes and orientations' turned
+members() { run_scene 1 drum.yaml clumps --set step.count=1 --set output='{trajectory: {every: 1}}' --set bodies='{clumps: [{spheres: [{centre: [0, 0, 0], radius: 1}, {centre: [1, 0, 0], radius: 1}]}]}' &&
+    "$scree" picture clumps -o clumps.pov && [ "$(grep -c '^sphere.*texture' clumps.pov)" = 50 ]; }
+check 'a picture of clumps has their members' members
 finish

@@ -35,6 +35,7 @@ static const struct dump_column dump_columns[] = {
     {"angular_velocity", "omegax omegay omegaz", 0},
     {"force", "fx fy fz", 0},
     {"torque", "tqx tqy tqz", 0},
+    {"rock_orientation", "quatw quati quatj quatk", 0},
     {"image", "ix iy iz", 0},
     {"drag", "dragx dragy dragz", 0},
     {"vorticity", "curlx curly curlz", 0},

@@ -81,13 +81,15 @@ static void write_head(FILE *out, const struct paint_scene *scene) {
 }
 
 static void write_spheres(FILE *out, const struct paint_scene *scene) {
+    facets_declare(out, scene->facets);
     for (size_t k = 0; k < scene->rows->count; k++) {
         double at[3];
         if (scene->band[k] < PAINT_GREY)
             continue;
         camera_place(scene->camera, scene->rows->position[k], at);
-        fprintf(out, "sphere{<%.6g,%.6g,%.6g>%.6g ", at[0], at[1], at[2],
-                scene->rows->radius[k] * scene->camera->scale);
+        if (!facets_write(out, scene->facets, scene->camera, scene->rows, k))
+            fprintf(out, "sphere{<%.6g,%.6g,%.6g>%.6g ", at[0], at[1], at[2],
+                    scene->rows->radius[k] * scene->camera->scale);
         if (scene->band[k] == PAINT_GREY)
             fprintf(out, "texture{G}}\n");
         else

@@ -5,6 +5,7 @@
 
 #include "data/formats/rows.h"
 #include "front/picture/camera.h"
+#include "front/picture/facets.h"
 #include "front/picture/shapes.h"
 #include <stdio.h>
 
@@ -29,6 +30,7 @@ struct paint_scene {
     const struct paint *paint;
     const struct rows *rows;
     const int *band;             /* of each row; PAINT_GREY, or PAINT_GREY - 1: not drawn */
+    const struct facets *facets; /* of rocks */
     const struct shapes *shapes; /* NULL: none */
     bool soft;                   /* shadows with soft edges, which take four times as long */
 };

@@ -226,8 +226,10 @@ static bool write_scene(const struct drawing *d, const char *path, int64_t frame
         return false;
     }
     int *band = memory_allocate(rows.count, sizeof *band, "colours");
+    bool *body = facets_bodies(&d->source, frame, &rows);
     for (size_t k = 0; k < rows.count; k++)
-        band[k] = is_grey(d, &rows, k)          ? PAINT_GREY
+        band[k] = body[k]                       ? PAINT_GREY - 1
+                  : is_grey(d, &rows, k)        ? PAINT_GREY
                   : is_cut(d, rows.position[k]) ? PAINT_GREY - 1
                                                 : paint_band(&d->paint, value[k]);
     bool walls = d->walls && shapes_make(&shapes, d->source.scene, rows.time, error);
@@ -239,10 +241,13 @@ static bool write_scene(const struct drawing *d, const char *path, int64_t frame
         upper[k] = d->camera.upper[k] + border;
     }
     shapes_cut(&shapes, lower, upper);
+    struct facets facets;
+    facets_make(&facets, &d->source, frame, &rows);
     struct paint_scene scene = {.camera = &d->camera,
                                 .paint = &d->paint,
                                 .rows = &rows,
                                 .band = band,
+                                .facets = &facets,
                                 .shapes = walls ? &shapes : NULL,
                                 .soft = !d->film};
     bool good = error->kind == ERROR_NONE && file_new_open(&file, path, error);
@@ -250,6 +255,8 @@ static bool write_scene(const struct drawing *d, const char *path, int64_t frame
         paint_write(file.stream, &scene);
         good = file_new_close(&file, error);
     }
+    memory_free(body);
+    facets_free(&facets);
     shapes_free(&shapes);
     memory_free(band);
     memory_free(value);

@@ -255,6 +255,8 @@ static bool read_values(const struct source *source, const struct picture_source
         return true;
     }
     rows_free(&rows);
+    if (field->numbered)
+        return h5md_read_values(source->path, frame, field->name, field->component, values, error);
     const char *dot = strchr(field->name, '.');
     char plain[SOURCE_WORD_MAX];
     snprintf(plain, sizeof plain, "%.*s", (int)strcspn(field->name, "."), field->name);

@@ -39,6 +39,9 @@ struct picture_source_field {
     char label[2 * SOURCE_WORD_MAX];
     bool other;    /* of another frame */
     int64_t frame; /* that frame */
+    bool
+        numbered; /* `component` is the one to take; else it stands behind a dot of the name, or the length is taken */
+    int component;
 };
 
 /* Reads "FIELD" or "FIELD@FRAME"; NULL: the material if there are several, else the radius if radii differ, else the

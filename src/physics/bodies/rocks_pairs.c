@@ -7,6 +7,7 @@
 #include "base/memory.h"
 #include "kernel/particles/fields.h"
 #include "kernel/particles/kinds.h"
+#include "fields_table.h"
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -16,16 +17,17 @@ static const char what[] = "contacts of rocks";
 static const struct field shape = {.name = "rock_shape",
                                    .type = FIELD_INT32,
                                    .components = 1,
-                                   .use = FIELD_GHOST | FIELD_TRAVELS,
+                                   .use = FIELD_GHOST | FIELD_TRAVELS | FIELD_OUTPUT,
                                    .fill = -1,
                                    .needed_for = "rocks",
                                    .help = "number of the shape of a rock's ball; -1: a sphere"};
-static const struct field turn = {.name = "rock_orientation",
-                                  .type = FIELD_DOUBLE,
-                                  .components = 4,
-                                  .use = FIELD_FORWARD | FIELD_GHOST | FIELD_TRAVELS,
-                                  .needed_for = "rocks",
-                                  .help = "orientation of the body around which the ball lies"};
+static const struct field turn = {
+    .name = "rock_orientation",
+    .type = FIELD_DOUBLE,
+    .components = 4,
+    .use = FIELD_FORWARD | FIELD_GHOST | FIELD_TRAVELS | FIELD_OUTPUT,
+    .needed_for = "rocks",
+    .help = "of the ball around a rock: unit quaternion w x y z from the frame of the shape to space"};
 
 int32_t *rocks_shapes(const struct particles *particles) {
     return fields_values(particles, &shape);
@@ -35,10 +37,14 @@ double (*rocks_orientations(const struct particles *particles))[4] {
     return fields_values(particles, &turn);
 }
 
+void rocks_register(struct particles *particles) {
+    fields_register(particles, &shape);
+    fields_register(particles, &turn);
+}
+
 struct rocks *rocks_create(const struct physics_context *context) {
     struct rocks *rocks = memory_allocate_zero(1, sizeof *rocks, what);
-    fields_register(context->particles, &shape);
-    fields_register(context->particles, &turn);
+    rocks_register(context->particles);
     solid_dot(&rocks->dot);
     return rocks;
 }
