@@ -217,7 +217,9 @@ sets[deletion-flow]='deletions=[{region: {shape: box, lower: [0, 1], upper: [1.5
 sets[insertion-flow]='insertions=[{sizes: 0.2, rate: 100}]'
 sets[reproducible-flow]='reproducible=true'
 sets[sheared-flow]='box.shear={rate: 0.5, flow: x, gradient: y}'
-sets[clumps-flow]='bodies.clumps=[{spheres: [{centre: [-0.5, 0, 0], radius: 1}, {centre: [0.7, 0, 0], radius: 0.8}]}]'
+sets[clumps-flow]='bodies.clumps=[{spheres: [{centre: [-0.1, 0, 0], radius: 1}, {centre: [0.1, 0, 0], radius: 1}]}]'
+sets[rigid-flow]=$'fluid.spacing=0.16\nfluid.motion=fixed\nfluid.grains={motion: free, coupling: rigid}'
+sets[solved-flow]=$'contact={law: rigid, solver: {sweeps: 50}}\nmaterial_pairs[0].k_n=~'
 sets[stokes-flow]=${sets[stokes-plane]}
 sets[capillary-flow]=${sets[capillary]} sets[density-flow]=${sets[density]} sets[verlet-flow]=${sets[verlet]}
 last_frame() { tail -n "$(sed -n '/NUMBER OF ATOMS/{n;p;}' "$1/dump.lammpstrj" | tail -n 1)" "$1/dump.lammpstrj" | sort -n; }
@@ -234,11 +236,15 @@ nearly() { # FEATURE...
 if "$scree" check flow.yaml >said 2>&1; then
     check 'a fluid with bonds heat density verlet' nearly bonds heat density verlet
     check 'a fluid with capillary stages' nearly capillary stages
+    check 'a fluid with rigid grains, bonds heat density verlet' nearly rigid bonds heat density verlet
+    check 'a fluid with rigid grains, capillary stages' nearly rigid capillary stages
+    check 'a fluid with rigid bodies, heat stages' nearly rigid clumps heat stages
+    check 'a fluid with rigid grains, a solver of contacts, density stages' nearly rigid solved density stages
     named 'deletions: would take grains out of the fluid' flow deletion
     named 'insertions: grains cannot be inserted into a fluid' flow insertion
     named 'reproducible: the linear systems of a fluid' flow reproducible
     named 'fluid: does not go with a box that moves' flow sheared
-    named 'bodies: together with a fluid' flow clumps
+    named 'fluid: a fluid around bodies needs coupling: rigid' flow clumps
     named 'drag.fluid: is a second fluid' flow stokes
 else
     grep -q 'built without PETSc' said || { cat said; check 'a build without PETSc says so' false; }

@@ -98,6 +98,25 @@ calc() { awk "BEGIN { printf \"%.12g\", $1 }"; }
 check "the drag of a square array, long steps" array 8 60
 check "the drag of a square array, short steps" array 1 300
 
+# Open sides: a light disc goes with the flow, and out of the box
+cat >open.yaml <<'YAML'
+units: none
+box: {lower: [0, 0, 0], upper: [32, 16, 0], dimension: 2}
+gravity: [0, -0.002, 0]
+walls:
+  - {name: floor, shape: plane, point: [0, 0, 0], normal: [0, 1, 0]}
+  - {name: lid, shape: plane, point: [0, 16, 0], normal: [0, -1, 0]}
+particles: {from: single, position: [22, 8, 0], radius: 3, density: 0.09}
+fluid: {spacing: 1, density: 1, viscosity: 0.5, grains: free, open: [{side: x_lower, velocity: [0.3, 0, 0], profile: parabolic}, {side: x_upper, pressure: 0}]}
+step: {dt: 0.5, count: 120}
+observables: {every: 120, list: [{name: velocity, id: 1}, {name: position, id: 1}]}
+output: {checkpoint: {at_end: false}}
+YAML
+leaves() {
+    run_scene 1 open.yaml open --set threads=1 && awk -v x="$(last_of open particle1_x)" -v v="$(last_of open particle1_vx)" 'BEGIN { printf "  at %.4g with %.4g\n", x, v; exit !(x > 35 && v > 0.2 && v < 0.35) }'
+}
+check "a light disc leaves by an open side" leaves
+
 refused() { # TEXT SETTING...
     local text=$1
     shift

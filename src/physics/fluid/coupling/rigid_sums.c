@@ -71,6 +71,9 @@ void rigid_sums_momenta(const struct rigid_work *work, const double (*v)[3]) {
     sums_bring(work);
 }
 
+/* The sums of a sphere in the fluid are at least the mean over this. */
+#define GRAIN_WHOLE 1.1
+
 /* What a grain has that the fluid in it has not: where it is lighter, by the mean of a sphere alone over all lattices, and by the present sums of a body. */
 static struct rigid_grains_own own_of(const struct rigid_work *work, size_t i,
                                       const struct rigid_inertia *inertia) {
@@ -79,20 +82,21 @@ static struct rigid_grains_own own_of(const struct rigid_work *work, size_t i,
     const struct rigid_grains_sums *sums = &work->rigid->sums[i - work->grains.first];
     const bool light = inertia->mass < inertia->displaced;
     struct rigid_grains_own own = {.dimension = context->box->dimension, .turns = inertia->turns};
-    double volume, second;
-    if (!inertia->body)
+    double volume = 0, second = 0;
+    if (!inertia->body) { /* at an open side a part of it may lie outside of the fluid */
         solid_mean(context->particles->state[i].radius, options->spacing, work->kappa,
                    context->box->dimension, &volume, &second);
-    own.mass = inertia->mass - (!light          ? inertia->displaced
-                                : inertia->body ? sums->mass
-                                                : options->density * volume);
+        volume = fmin(options->density * volume, GRAIN_WHOLE * sums->mass);
+        second = fmin(options->density * second, GRAIN_WHOLE * fmax(sums->second[0], sums->second[2]));
+    }
+    own.mass = inertia->mass - (!light ? inertia->displaced : inertia->body ? sums->mass : volume);
     own.late_mass = fmin(0.5 * own.mass, 0);
     own.mass -= own.late_mass;
     for (int k = 0; k < 6; k++) {
         bool swings = inertia->body ? light : inertia->own[k] < inertia->fluid[k];
         own.inertia[k] = inertia->own[k] - (!swings         ? inertia->fluid[k]
                                             : inertia->body ? sums->second[k]
-                                            : k < 3         ? options->density * second
+                                            : k < 3         ? second
                                                             : 0);
         own.late_inertia[k] =
             inertia->body ? (light ? 0.5 * own.inertia[k] : 0) : fmin(0.5 * own.inertia[k], 0);
