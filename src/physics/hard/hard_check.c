@@ -156,9 +156,6 @@ bool hard_check(const struct physics_context *context, struct error *error) {
             }
     if (output_interval_set(&scene->output.walls.every))
         return scene_fail(scene, error, "output.walls", with, "no files of loads on walls");
-    if (output_interval_set(&scene->output.contact_problems.every) && scene->physics_given[PHYSICS_bodies])
-        return scene_fail(scene, error, "output.contact_problems.every",
-                          "does not go with bodies yet; allowed: spheres");
     if (output_interval_set(&scene->output.contact_problems.every) &&
         (scene->law.rolling != LAW_ROLLING_NONE || scene->law.twisting != LAW_TWISTING_NONE))
         return scene_fail(scene, error, "output.contact_problems.every",
