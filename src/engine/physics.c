@@ -229,7 +229,7 @@ void physics_rows(const struct physics_set *set, struct history_rows *rows[PHYSI
     PHYSICS_EACH (active, set, rows) {
         assert(active->number < PHYSICS_COUNT);
         rows[active->number] = active->row->rows->of(&active->context);
-        if (rows[active->number])
+        if (rows[active->number] && active->row->rows->components > 0)
             rows[active->number]->components = active->row->rows->components;
     }
 }

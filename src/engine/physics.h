@@ -190,7 +190,7 @@ struct physics_rows {
     struct history_rows *(*of)(
         const struct physics_context
             *context); /* `start` is there, owned + 1 entries; NULL: this scene has no rows */
-    int components;
+    int components;    /* 0: `of` says it in the rows, as the scene asks for more or fewer */
     /* True if the step in progress must rebuild. The same on all ranks. */
     bool (*due)(const struct physics_context *context);
     /* After `rebuilt`. True if the ranges of interactions or the rows have changed: the engine

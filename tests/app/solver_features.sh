@@ -56,19 +56,27 @@ deletions=[{region: {shape: box, lower: [-1, 0, 2], upper: [5, 3, 3]}, every: 50
 deletions=[{region: {shape: box, lower: [-1, 2], upper: [5, 3]}, every: 50}]'
     [stages]='step.count=~
 stages=[{name: one, duration: 1.2}, {name: two, duration: 0.8, set: {gravity: [0.5, 0, -1]}}]'
+    [resists]='contact.rolling=spring
+material_pairs[0].rolling_friction=0.2'
+    [resists-space]='contact.rolling=constant
+material_pairs[0].rolling_friction=0.2
+contact.twisting=sds
+material_pairs[0].twisting_friction=0.02
+material_pairs[0].twisting_stiffness=50'
     [stages-plane]='step.count=~
 stages=[{name: one, duration: 1.2}, {name: two, duration: 0.8, set: {gravity: [0.5, -1]}}]'
 )
 
 # sound DIR [N]: overlaps stay small, the N particles, 38, are there but for those that came and went, and unless some did energy does not but
-# for the work of grains with a given motion
+# for the work of grains with a given motion. The largest overlaps are of the step of an impact, which may push a sphere into its neighbour by its speed times the
+# step: of bodies in a plane 0.053, at half the step 0.020, at a quarter 0.006
 sound() {
     awk -F, -v all="${2:-38}" 'NR == 1 { for (k = 1; k <= NF; k++) { sub(/\[.*/, "", $k); at[$k] = k } next }
         NR == 2 { first = $at["energy_balance"] }
         { if ($at["overlap_max"] > most) most = $at["overlap_max"] }
         END { n = $at["particles"] - $at["inserted"] + $at["deleted"]; drift = $at["energy_balance"] / first - 1
               printf "  overlap %.2g, energy %.2g, %d particles\n", most, drift, n
-              exit !(NR > 4 && most < (all > 38 ? 0.1 : 0.05) && n == all && ($at["inserted"] > 0 || (drift < 0.02 && drift > -0.002))) }' "$1/observables.csv"
+              exit !(NR > 4 && most < (all > 38 ? 0.06 : 0.05) && n == all && ($at["inserted"] > 0 || (drift < 0.02 && drift > -0.002))) }' "$1/observables.csv"
 }
 
 # together RANKS SCENE NAME...: a run is sound, and so is one that goes on half-way on one rank more
@@ -85,6 +93,7 @@ for law in rigid stiff soft slick hooke hertz; do
     for scene in space plane; do
         for more in '' 'comes stages' clumps; do
             ranks=$((ranks % 4 + 1))
+            [ "$law" = slick ] || [ "$more" = clumps ] || more="$more resists"
             # shellcheck disable=SC2086 # words
             check "$scene: $law${more:+ $more}, ranks: $ranks" together $ranks $scene $law $more
         done
@@ -116,9 +125,6 @@ box.stress={xx: 5, yy: 5}"
 sets[cohesion]='contact.cohesion=capillary
 material_pairs[0].surface_tension=3
 material_pairs[0].bridge_fraction=0.02'
-sets[rolling]='contact.rolling=spring
-material_pairs[0].rolling_friction=0.2'
-sets[twisting]='contact.twisting=marshall'
 sets[viscous]='contact.tangential=viscous'
 sets[damping]='contact.damping=coefficient
 material_pairs[0].restitution=~
@@ -134,7 +140,7 @@ refused() {
     local flags law scene words
     for law in rigid hooke hertz; do
         for scene in space plane; do
-            case "$1 $law $scene" in 'twisting '*' plane' | 'damping rigid '* | 'damping hertz '*) continue ;; esac
+            case "$1 $law" in 'damping rigid' | 'damping hertz') continue ;; esac
             words=${2%% / *}
             [ $law != rigid ] || words=${2##* / }
             take $scene $law "$1"
@@ -154,8 +160,6 @@ sheared contact.solver: does not go with a box that moves
 strained contact.solver: does not go with a box that moves
 stressed contact.solver: does not go with a box that moves
 cohesion contact.cohesion: has no form in contact.solver / contact.cohesion|not with rigid
-rolling contact.rolling: has no form in contact.solver / contact.rolling|not with rigid
-twisting contact.twisting: has no form in contact.solver / contact.twisting|not with rigid
 viscous contact.tangential: has no form in contact.solver / contact.tangential|not with rigid
 damping contact.damping: has no form in contact.solver
 static static_friction has no form in contact.solver

@@ -10,13 +10,6 @@ static const char what[] = "contacts of a step";
 /* Rows of walls in a cut, those of one body always together. */
 enum { WALL_CUT = 64 };
 
-/* The part of an overlap that a rigid row wants away in a step. */
-static const double rigid_repair = 0.2;
-
-/* Rows begin with the impulses of the last step where there are at least so many sweeps a kappa, else with a part of them:
- * stiff rows that do not converge would swing. */
-static const double warm_sweeps = 0.75, warm_part = 0.8;
-
 void hard_contacts_create(struct hard_contacts *contacts, int threads) {
     *contacts = (struct hard_contacts){0};
     contacts->found = memory_allocate_zero((size_t)threads, sizeof *contacts->found, what);
@@ -30,6 +23,7 @@ void hard_contacts_free(struct hard_contacts *contacts, int threads) {
     memory_free(contacts->wall);
     memory_free(contacts->past);
     memory_free(contacts->arm);
+    memory_free(contacts->resist);
     memory_free(contacts->dropped);
     memory_free(contacts->point);
     *contacts = (struct hard_contacts){0};
@@ -37,106 +31,6 @@ void hard_contacts_free(struct hard_contacts *contacts, int threads) {
 
 static int material_number(const struct hard_scene *scene, size_t i) {
     return scene->material ? scene->material[i] : 0;
-}
-
-/* Turns a vector of the tangent plane into that of `normal`, with its length. */
-static void turn(const double old[3], const double normal[3], double out[3]) {
-    double along = vector_dot(old, normal), before = vector_dot(old, old), after = 0.0;
-    for (int d = 0; d < 3; d++)
-        out[d] = old[d] - along * normal[d];
-    after = vector_dot(out, out);
-    for (int d = 0; d < 3 && after > 0.0; d++)
-        out[d] *= sqrt(before / after);
-}
-
-/* Springs of a contact by kappa. */
-static void stiffen_rigid(struct hard_row *row, const struct hard_terms *terms, const struct hard_pace *pace,
-                          const struct hard_body *a, const struct hard_body *b, double smaller) {
-    double share = pace->dt / (pace->duration * terms->kappa);
-    row->soft_n = hard_push(row, a, b) * share;
-    row->soft_t = hard_slide(row, a, b) * share;
-    row->bias = row->gap / pace->dt;
-    if (isinf(terms->kappa) && row->gap < 0.0)
-        row->bias *= rigid_repair;
-    row->release = terms->repair * smaller / pace->dt;
-}
-
-/* Springs of a contact by the law. `radius`: of the contact, effective. */
-static void stiffen_law(struct hard_row *row, const struct hard_terms *terms, const struct hard_term *term,
-                        const struct hard_pace *pace, double push, double radius) {
-    double k = term->stiffness, h = pace->duration, mass = push > 0.0 ? 1.0 / push : 0.0;
-    row->release = INFINITY;
-    row->bias = row->gap / pace->dt;
-    if (terms->hertz) {
-        row->hertz = h * k * sqrt(radius);
-        row->damper = h * term->damper * sqrt(mass * k * sqrt(radius));
-        row->shear = h * pace->dt * term->tangential * sqrt(radius);
-        row->deep = fmax(0.0, -row->gap);
-        return;
-    }
-    double c = term->damper * sqrt(mass * k);
-    row->soft_n = 1.0 / (h * (k * pace->dt + c));
-    row->damper = h * c;
-    row->soft_t = term->tangential > 0.0 ? 1.0 / (h * pace->dt * term->tangential) : 0.0;
-    if (row->gap < 0.0)
-        row->bias = row->gap / (pace->dt + c / k);
-}
-
-/* True if the step is too long to show the impact that the row begins: a rigid one, or one by the law that lasts less than
- * two steps (Hertz: 2.9432 times the largest overlap over the speed). */
-static bool is_brief(const struct hard_row *row, const struct hard_term *term, const struct hard_pace *pace,
-                     double push) {
-    double speed = row->approach, mass = push > 0.0 ? 1.0 / push : 0.0, lasts = 0.0;
-    if (row->hertz > 0.0)
-        lasts = 2.9432 * pow(1.25 * mass * speed * speed * pace->duration / row->hertz, 0.4) / speed;
-    else if (term->stiffness > 0.0)
-        lasts = M_PI * sqrt(mass / term->stiffness);
-    return lasts < 2.0 * pace->dt;
-}
-
-/* The stiffness of a row's normal spring in units of the step. */
-static double kappa_of(const struct hard_row *row, const struct hard_pace *pace, double push) {
-    double share = push * pace->dt / pace->duration;
-    if (row->hertz > 0.0)
-        return share * pace->dt * 1.5 * row->hertz * sqrt(row->deep);
-    return row->soft_n > 0.0 ? share / row->soft_n : INFINITY;
-}
-
-/* The spheres of a contact; a wall is the second one, with an infinite radius. */
-struct ends {
-    double radius[2];
-    double light; /* sum of 1/mass; of members by their shares of the mass */
-};
-
-/* What remains once bodies, normal, levers, arm and gap of a row are known. */
-static void row_finish(struct hard_row *row, const struct hard_problem *problem,
-                       const struct hard_terms *terms, const struct hard_term *term,
-                       const struct hard_pace *pace, const struct ends *ends,
-                       const struct hard_memory *memory) {
-    const struct hard_body *a = &problem->body[row->body[0]], *b = &problem->body[row->body[1]];
-    const double *radius = ends->radius;
-    double u[3], smaller = fmin(radius[0], radius[1]), push = hard_push(row, a, b);
-    double effective = isinf(radius[1]) ? radius[0] : radius[0] * radius[1] / (radius[0] + radius[1]);
-    row->friction = term->friction;
-    row->restitution = term->restitution;
-    if (term->stiffness > 0.0)
-        stiffen_law(row, terms, term, pace, ends->light, effective);
-    else
-        stiffen_rigid(row, terms, pace, a, b, smaller);
-    hard_velocity(row, a, b, u);
-    row->approach = -vector_dot(u, row->normal);
-    double keep = pace->sweeps >= warm_sweeps * kappa_of(row, pace, push) ? 1.0 : warm_part;
-    turn(memory->rub, row->normal, row->hold);
-    row->impact = memory->push <= 0.0 && row->approach > pace->rest && is_brief(row, term, pace, ends->light);
-    if (row->impact && terms->poisson) { /* until they touch: a gap would take the rebound */
-        row->bias = fmin(0.0, row->bias);
-        row->soft_n = row->soft_t = 0.0;
-    }
-    for (int d = 0; d < 3; d++) {
-        row->hold[d] *= pace->duration;
-        row->q[d] = row->impact ? 0.0 : keep * row->hold[d];
-    }
-    row->p = row->impact ? 0.0 : keep * pace->duration * memory->push;
 }
 
 double hard_contacts_separate(const struct hard_pairs *pairs, const struct hard_scene *scene, size_t m,
@@ -175,6 +69,13 @@ static void arm_make(struct hard_contacts *contacts, struct hard_row *row, size_
     row->arm = arm;
 }
 
+/* Gives row r the place of its resistances, if the pair of materials has some. */
+static void resist_place(struct hard_contacts *contacts, struct hard_row *row, size_t r,
+                         const struct hard_term *term) {
+    if (term->rolling > 0.0 || term->twisting > 0.0)
+        row->resist = &contacts->resist[r];
+}
+
 bool hard_contacts_near(const struct hard_pairs *pairs, const struct hard_scene *scene,
                         const struct hard_pace *pace, size_t m) {
     const uint32_t *end = pairs->end[m];
@@ -189,7 +90,7 @@ static void pair_fill(struct hard_contacts *contacts, const struct hard_problem 
                       const struct hard_terms *terms, const struct hard_pace *pace, size_t m) {
     double apart[3], distance, gap = hard_contacts_separate(pairs, scene, m, apart, &distance);
     struct hard_row *row = &problem->row[r];
-    struct ends ends = {.light = 0.0};
+    struct hard_ends ends = {.memory = &pairs->memory[m], .couple = pairs->couple ? &pairs->couple[m] : NULL};
     int material[2];
     *row = (struct hard_row){.gap = gap};
     for (int e = 0; e < 2; e++) {
@@ -202,9 +103,10 @@ static void pair_fill(struct hard_contacts *contacts, const struct hard_problem 
     }
     for (int d = 0; d < 3; d++)
         row->normal[d] = apart[d] / distance;
+    const struct hard_term *term = hard_term_of(terms, material[0], material[1]);
     arm_make(contacts, row, r, scene, terms, pairs->end[m]);
-    row_finish(row, problem, terms, hard_term_of(terms, material[0], material[1]), pace, &ends,
-               &pairs->memory[m]);
+    resist_place(contacts, row, r, term);
+    hard_row_finish(row, problem, terms, term, pace, &ends);
 }
 
 /* Rows of pairs, cut by cut in the order of the colours. */
@@ -229,6 +131,9 @@ static void pairs_find(struct hard_contacts *contacts, struct hard_problem *prob
     if (scene->clumps->links || terms->open)
         contacts->arm = hard_problem_grow(contacts->arm, &contacts->arm_room, rows + contacts->walls,
                                           sizeof *contacts->arm);
+    if (terms->resists)
+        contacts->resist = hard_problem_grow(contacts->resist, &contacts->resist_room, rows + contacts->walls,
+                                             sizeof *contacts->resist);
     contacts->pair = hard_problem_grow(contacts->pair, &contacts->pair_room, rows, sizeof *contacts->pair);
 #pragma omp parallel for schedule(static)
     for (size_t k = 0; k < colours->cuts; k++) {
@@ -239,6 +144,8 @@ static void pairs_find(struct hard_contacts *contacts, struct hard_problem *prob
                 contacts->pair[r++] = (uint32_t)m;
             }
             pairs->memory[m] = (struct hard_memory){0};
+            if (pairs->couple)
+                pairs->couple[m] = (struct hard_couple){0};
         }
     }
     for (int c = 0; c < colours->colours; c++) {
@@ -294,8 +201,10 @@ static void walls_recall(struct hard_contacts *contacts) {
         while (p < contacts->pasts && contacts->past[p].particle < place->particle)
             p++;
         for (size_t q = p; q < contacts->pasts && contacts->past[q].particle == place->particle; q++)
-            if (contacts->past[q].wall == place->wall && contacts->past[q].feature == place->feature)
+            if (contacts->past[q].wall == place->wall && contacts->past[q].feature == place->feature) {
                 contacts->wall[k].memory = contacts->past[q].memory;
+                contacts->wall[k].couple = contacts->past[q].couple;
+            }
     }
     contacts->pasts = 0;
 }
@@ -315,10 +224,14 @@ static void wall_fill(struct hard_contacts *contacts, struct hard_problem *probl
                              .normal = {place->normal[0], place->normal[1], place->normal[2]},
                              .lever = {fmax(0.0, radius + place->gap), 0.0},
                              .gap = place->gap};
+    const struct hard_term *term = hard_term_of(terms, material, scene->wall_material[place->wall]);
     arm_make(contacts, row, r, scene, terms, sphere);
-    row_finish(row, problem, terms, hard_term_of(terms, material, scene->wall_material[place->wall]), pace,
-               &(struct ends){{radius, INFINITY}, scene->particles->state[place->particle].inverse_mass},
-               &contact->memory);
+    resist_place(contacts, row, r, term);
+    hard_row_finish(row, problem, terms, term, pace,
+                    &(struct hard_ends){{radius, INFINITY},
+                                        scene->particles->state[place->particle].inverse_mass,
+                                        &contact->memory,
+                                        &contact->couple});
 }
 
 void hard_contacts_ends(const struct hard_contacts *contacts, const struct hard_pairs *pairs, size_t r,

@@ -20,6 +20,10 @@ struct hard_term {
     double stiffness;  /* force/length; of Hertz force/length^2, times the contact radius; 0: by kappa */
     double tangential; /* the same of the tangential spring */
     double damper;     /* over sqrt(mass x stiffness) */
+    double rolling;    /* coefficient of rolling friction */
+    struct law_solved rolls;
+    double twisting;        /* largest moment over the normal force; length */
+    double twist_stiffness; /* moment over angle */
 };
 
 struct hard_terms {
@@ -29,6 +33,7 @@ struct hard_terms {
     hard_relaxation *relax; /* of contacts with a body of spheres */
     bool poisson;           /* impacts rebound by Poisson's restitution */
     bool open;              /* of all contacts: spheres have no closed form in this model */
+    bool resists;           /* some contacts resist rolling or twisting */
     int materials;
     struct hard_term *pair; /* materials x materials */
 };
@@ -42,12 +47,14 @@ struct hard_wall_memory {
     uint32_t particle;
     int32_t wall, feature;
     struct hard_memory memory;
+    struct hard_couple couple;
 };
 
 /* One contact with a wall in the step. */
 struct hard_wall_contact {
     struct wall_place place;
     struct hard_memory memory;
+    struct hard_couple couple;
     uint32_t body;  /* of the particle, or that carries it */
     uint64_t order; /* of the contacts of a body: from ids */
 };
@@ -80,6 +87,8 @@ struct hard_contacts {
     size_t pasts, past_room;
     struct hard_arm *arm; /* of each row, where bodies or the model ask for them */
     size_t arm_room;
+    struct hard_resist *resist; /* of each row, where some resist */
+    size_t resist_room;
     uint8_t *dropped; /* of each pair: other contacts of its bodies stand for it (thin.h) */
     size_t dropped_room;
     struct hard_point *point;
@@ -99,6 +108,19 @@ void hard_contacts_free(struct hard_contacts *contacts, int threads);
 void hard_contacts_find(struct hard_contacts *contacts, struct hard_problem *problem,
                         struct hard_pairs *pairs, const struct hard_scene *scene,
                         const struct hard_terms *terms, const struct hard_pace *pace);
+
+/* The spheres of a contact, and what it remembers; a wall is the second one, with an infinite radius. */
+struct hard_ends {
+    double radius[2];
+    double light; /* sum of 1/mass; of members by their shares of the mass */
+    const struct hard_memory *memory;
+    const struct hard_couple *couple; /* of a row that resists */
+};
+
+/* Makes what remains of a row once bodies, normal, levers, arm, gap and the place for resistances are known. Any thread. */
+void hard_row_finish(struct hard_row *row, const struct hard_problem *problem, const struct hard_terms *terms,
+                     const struct hard_term *term, const struct hard_pace *pace,
+                     const struct hard_ends *ends);
 
 /* The separation of the spheres of pair m, from the first to the second, and its length; returns the gap. True if they may
  * touch in the step. Any thread. */
@@ -123,7 +145,8 @@ void hard_contacts_ends(const struct hard_contacts *contacts, const struct hard_
 void hard_contacts_detach(const struct hard_contacts *contacts, struct hard_pairs *pairs,
                           const struct pairlist *list, const struct particles *particles);
 /* Gives the rows of walls the numbers that these have now, by the old number; -1: the wall is gone. */
-void hard_contacts_rename(struct history_rows *rows, const int *now, int walls, size_t owned);
+void hard_contacts_rename(const struct hard_pairs *pairs, struct history_rows *rows, const int *now,
+                          int walls, size_t owned);
 void hard_contacts_attach(struct hard_contacts *contacts, const struct hard_pairs *pairs,
                           const struct particles *particles);
 

@@ -17,6 +17,16 @@ static struct hard_memory memory_of(const struct hard_row *row, const struct har
     return memory;
 }
 
+static struct hard_couple couple_of(const struct hard_row *row, const struct hard_pace *pace) {
+    struct hard_couple couple = {0};
+    if (row->impact || row->resist == NULL)
+        return couple;
+    couple.twist = row->resist->now.twist / pace->duration;
+    for (int d = 0; d < 3; d++)
+        couple.roll[d] = row->resist->now.roll[d] / pace->duration;
+    return couple;
+}
+
 static int by_particle(const void *a, const void *b) {
     const struct hard_wall_memory *x = a, *y = b;
     if (x->particle != y->particle)
@@ -29,16 +39,20 @@ static int by_particle(const void *a, const void *b) {
 void hard_contacts_remember(struct hard_contacts *contacts, const struct hard_problem *problem,
                             struct hard_pairs *pairs, const struct hard_pace *pace) {
 #pragma omp parallel for schedule(static)
-    for (size_t r = 0; r < contacts->pair_rows; r++)
+    for (size_t r = 0; r < contacts->pair_rows; r++) {
         pairs->memory[contacts->pair[r]] = memory_of(&problem->row[r], pace);
+        if (pairs->couple)
+            pairs->couple[contacts->pair[r]] = couple_of(&problem->row[r], pace);
+    }
     contacts->past =
         hard_problem_grow(contacts->past, &contacts->past_room, contacts->walls, sizeof *contacts->past);
     for (size_t k = 0; k < contacts->walls; k++) {
         const struct wall_place *place = &contacts->wall[k].place;
-        struct hard_memory memory = memory_of(&problem->row[contacts->pair_rows + k], pace);
+        const struct hard_row *row = &problem->row[contacts->pair_rows + k];
+        struct hard_memory memory = memory_of(row, pace);
         if (memory.push > 0.0)
-            contacts->past[contacts->pasts++] =
-                (struct hard_wall_memory){(uint32_t)place->particle, place->wall, place->feature, memory};
+            contacts->past[contacts->pasts++] = (struct hard_wall_memory){
+                (uint32_t)place->particle, place->wall, place->feature, memory, couple_of(row, pace)};
     }
     for (size_t k = 1; k < contacts->pasts; k++)
         if (contacts->past[k].particle < contacts->past[k - 1].particle) { /* bodies had another order */
@@ -47,7 +61,8 @@ void hard_contacts_remember(struct hard_contacts *contacts, const struct hard_pr
         }
 }
 
-void hard_contacts_rename(struct history_rows *rows, const int *now, int walls, size_t owned) {
+void hard_contacts_rename(const struct hard_pairs *pairs, struct history_rows *rows, const int *now,
+                          int walls, size_t owned) {
     for (size_t r = 0; rows->start && r < rows->start[owned]; r++) {
         struct history_row *row = &rows->row[r];
         if (row->partner >= 0)
@@ -56,7 +71,7 @@ void hard_contacts_rename(struct history_rows *rows, const int *now, int walls, 
         if (wall >= 0)
             row->partner = wall_row_partner(wall, wall_row_feature(row));
         else
-            row->value[3] = 0.0;
+            row->value[pairs->history->odd] = 0.0;
     }
 }
 
@@ -72,16 +87,15 @@ void hard_contacts_detach(const struct hard_contacts *contacts, struct hard_pair
         all.start[k] = all.count;
         for (size_t r = rows->start[k]; r < rows->start[k + 1]; r++, all.count++) {
             all.row[all.count] = rows->row[r];
-            for (int c = HARD_MEMORY; c < HISTORY_COMPONENTS_USUAL; c++)
+            for (int c = pairs->history->components; c < HISTORY_COMPONENTS_USUAL; c++)
                 all.row[all.count].value[c] = 0.0;
         }
         for (; p < contacts->pasts && contacts->past[p].particle == k; p++) {
             const struct hard_wall_memory *past = &contacts->past[p];
-            const double *rub = past->memory.rub;
-            all.row[all.count++] =
-                (struct history_row){.id = particles->id[k],
-                                     .partner = wall_row_partner(past->wall, past->feature),
-                                     .value = {rub[0], rub[1], rub[2], past->memory.push}};
+            struct history_row *row = &all.row[all.count++];
+            *row = (struct history_row){.id = particles->id[k],
+                                        .partner = wall_row_partner(past->wall, past->feature)};
+            hard_memory_put(pairs, &past->memory, &past->couple, row->value);
         }
     }
     all.start[particles->owned] = all.count;
@@ -96,14 +110,14 @@ void hard_contacts_attach(struct hard_contacts *contacts, const struct hard_pair
     for (size_t k = 0; rows->start && k < particles->owned; k++)
         for (size_t r = rows->start[k]; r < rows->start[k + 1]; r++) {
             const struct history_row *row = &rows->row[r];
-            if (row->partner >= 0 || !(row->value[3] > 0.0)) /* of a pair, or of a wall that is gone */
+            struct hard_wall_memory past = {.particle = (uint32_t)k};
+            hard_memory_get(pairs, row->value, &past.memory, &past.couple);
+            if (row->partner >= 0 || !(past.memory.push > 0.0)) /* of a pair, or of a wall that is gone */
                 continue;
             contacts->past = hard_problem_grow(contacts->past, &contacts->past_room, contacts->pasts + 1,
                                                sizeof *contacts->past);
-            contacts->past[contacts->pasts++] = (struct hard_wall_memory){
-                .particle = (uint32_t)k,
-                .wall = wall_row_wall(row),
-                .feature = wall_row_feature(row),
-                .memory = {row->value[3], {row->value[0], row->value[1], row->value[2]}}};
+            past.wall = wall_row_wall(row);
+            past.feature = wall_row_feature(row);
+            contacts->past[contacts->pasts++] = past;
         }
 }

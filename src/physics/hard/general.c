@@ -4,7 +4,7 @@
 #include "physics/hard/row.h"
 #include <string.h>
 
-enum { HERTZ_STEPS = 20, SCALE_STEPS = 40 };
+enum { HERTZ_STEPS = 20, SCALE_STEPS = 40, COUPLE_STEPS = 40 };
 
 /* A contact in its own frame. */
 struct framed {
@@ -14,12 +14,12 @@ struct framed {
     double p[3];       /* these */
 };
 
-static void tangents_make(double axis[3][3]) {
-    const double *n = axis[0];
+void hard_general_axes(const double n[3], double axis[3][3]) {
     int k = fabs(n[0]) < fabs(n[1]) ? 0 : 1;
     if (fabs(n[2]) < fabs(n[k]))
         k = 2;
     double side[3] = {0.0, 0.0, 0.0}, length;
+    memcpy(axis[0], n, sizeof axis[0]);
     side[k] = 1.0;
     vector_cross(n, side, axis[1]);
     length = sqrt(vector_dot(axis[1], axis[1]));
@@ -31,8 +31,7 @@ static void tangents_make(double axis[3][3]) {
 static void framed_make(struct framed *f, const struct hard_row *row, const struct hard_body *a,
                         const struct hard_body *b) {
     double u[3];
-    memcpy(f->axis[0], row->normal, sizeof row->normal);
-    tangents_make(f->axis);
+    hard_general_axes(row->normal, f->axis);
     f->p[0] = row->p;
     f->p[1] = vector_dot(row->q, f->axis[1]);
     f->p[2] = vector_dot(row->q, f->axis[2]);
@@ -87,7 +86,7 @@ static void hertzian(struct framed *f, struct hard_row *row, double dt) {
     for (int k = 0; k < HERTZ_STEPS; k++) {
         double last[3] = {f->p[0], f->p[1], f->p[2]}, a[3], c[2];
         f->p[0] = hard_hertz(row, dt, f->w[0], f->free[0] + f->w[1] * f->p[1] + f->w[2] * f->p[2]);
-        double soft = row->deep > 0.0 && row->shear > 0.0 ? 1.0 / (row->shear * sqrt(row->deep)) : 0.0;
+        double soft = hard_shear_soft(row);
         a[0] = f->w[4] + soft;
         a[1] = f->w[5];
         a[2] = f->w[8] + soft;
@@ -99,19 +98,54 @@ static void hertzian(struct framed *f, struct hard_row *row, double dt) {
     }
 }
 
-void hard_general_wish(struct hard_row *row, double dt, const struct hard_body *a, const struct hard_body *b,
-                       double *p, double q[3]) {
+/* The force alone, while the couple stays. */
+static void push_and_rub(struct hard_row *row, double dt, const struct hard_body *a,
+                         const struct hard_body *b, struct hard_answer *answer) {
     struct framed f;
     framed_make(&f, row, a, b);
-    *p = q[0] = q[1] = q[2] = 0.0;
+    answer->p = answer->q[0] = answer->q[1] = answer->q[2] = 0.0;
     if (!(f.w[0] > 0.0))
         return;
     if (row->hertz > 0.0)
         hertzian(&f, row, dt);
     else
         linear(&f, row);
-    *p = f.p[0];
-    framed_rub(&f, q);
+    answer->p = f.p[0];
+    framed_rub(&f, answer->q);
+}
+
+/* How much a visit would change the impulses of a row. */
+static double change_of(const struct hard_row *row, const struct hard_answer *answer) {
+    double sum = fabs(answer->p - row->p) + fabs(answer->couple.twist - row->resist->now.twist);
+    for (int d = 0; d < 3; d++)
+        sum += fabs(answer->q[d] - row->q[d]) + fabs(answer->couple.roll[d] - row->resist->now.roll[d]);
+    return sum;
+}
+
+/* Force and couple, in turns. */
+void hard_general_wish(struct hard_row *row, double dt, const struct hard_body *a, const struct hard_body *b,
+                       struct hard_answer *answer) {
+    if (row->resist == NULL) {
+        push_and_rub(row, dt, a, b, answer);
+        return;
+    }
+    struct hard_resist resist = *row->resist;
+    struct hard_row next = *row;
+    struct hard_body end[2] = {*a, *b};
+    next.resist = &resist;
+    for (int k = 0; k < COUPLE_STEPS; k++) {
+        struct hard_answer last = {next.p, {next.q[0], next.q[1], next.q[2]}, resist.now};
+        answer->couple = resist.now;
+        push_and_rub(&next, dt, &end[0], &end[1], answer);
+        hard_change(&next, &end[0], &end[1], answer);
+        const struct hard_softness soft =
+            hard_softness_of(&next, row->hertz > 0.0 ? hard_shear_soft(&next) : row->soft_t);
+        hard_resist_couple(&next, &end[0], &end[1], &soft, answer);
+        hard_change(&next, &end[0], &end[1], answer);
+        if (change_of(&next, &last) <= 1e-14 * answer->p)
+            break;
+    }
+    row->deep = next.deep;
 }
 
 /* Energy that the impulses of a contact add. */
@@ -131,8 +165,8 @@ static void part(struct framed *f, const struct hard_row *row, double speed) {
 
 /* With friction, bodies that are no spheres might part with more energy than they had: then more slowly, so that an impact
  * gains none. */
-double hard_general_rebound(const struct hard_row *row, const struct hard_body *a, const struct hard_body *b,
-                            double q[3]) {
+void hard_general_rebound(const struct hard_row *row, const struct hard_body *a, const struct hard_body *b,
+                          struct hard_answer *answer) {
     struct framed f;
     framed_make(&f, row, a, b);
     double whole = row->restitution * row->approach, low = 0.0, high = 1.0;
@@ -148,6 +182,8 @@ double hard_general_rebound(const struct hard_row *row, const struct hard_body *
         }
         part(&f, row, low * whole);
     }
-    framed_rub(&f, q);
-    return f.p[0];
+    framed_rub(&f, answer->q);
+    answer->p = f.p[0];
+    if (row->resist)
+        hard_resist_couple(row, a, b, &(struct hard_softness){0}, answer);
 }

@@ -6,26 +6,50 @@
 #include <stdio.h>
 #include <string.h>
 
+enum { NAMES_MOST = 64 };
+
 /* Largest coefficient of restitution: the pass of restitution may add energy where several impacts
  * meet, and what friction and the other contacts lose makes up for it up to here. */
 static const double restitution_most = 0.95;
+
+/* Appends a word to a list. */
+static void word_add(char *text, size_t room, const char *word) {
+    size_t used = strlen(text);
+    snprintf(text + used, room - used, "%s%s", used ? ", " : "", word);
+}
 
 /* The laws that have a trait, as a list. */
 static const char *laws_with(const char *trait, char *text, size_t room) {
     text[0] = '\0';
     for (int k = 0; k < LAW_COUNT; k++)
-        if (law_has_trait((enum law_normal)k, trait)) {
-            size_t used = strlen(text);
-            snprintf(text + used, room - used, "%s%s", used ? ", " : "",
-                     law_row_get((enum law_normal)k)->name);
-        }
+        if (law_has_trait((enum law_normal)k, trait))
+            word_add(text, room, law_row_get((enum law_normal)k)->name);
     return text;
+}
+
+/* True if the chosen row of rolling or twisting has no form in the solver; `names` gets those that have one. */
+static bool has_no_form(const struct law_options *o, enum law_part part, int chosen, char names[NAMES_MOST]) {
+    const struct law_extra extra = {0};
+    int count;
+    const struct law_part_row *row = law_part_rows(part, &count);
+    bool none = false;
+    names[0] = '\0';
+    for (int k = 0; k < count; k++) {
+        const struct law_solved solved = part == LAW_PART_ROLLING
+                                             ? law_rolling_solved((enum law_rolling)k, &extra)
+                                             : law_twisting_solved((enum law_twisting)k, &extra);
+        bool good = k == 0 || solved.row != LAW_SOLVED_NONE; /* none comes first */
+        if (good && law_part_combines(&row[k], law_row_get(o->normal)->traits))
+            word_add(names, NAMES_MOST, row[k].name);
+        none = none || (k == chosen && !good);
+    }
+    return none;
 }
 
 /* Refuses parts of a law that have no form in the solver. */
 static bool check_law(const struct scene *scene, struct error *error) {
     const struct law_options *o = &scene->law;
-    char laws[128];
+    char laws[128], names[2][NAMES_MOST];
     if (!law_has_trait(o->normal, "implicit"))
         return scene_fail(scene, error, "contact.solver", "goes with contact.law %s, not with %s",
                           laws_with("implicit", laws, sizeof laws), law_row_get(o->normal)->name);
@@ -35,8 +59,8 @@ static bool check_law(const struct scene *scene, struct error *error) {
         const char *allowed;
     } part[] = {{"contact.cohesion", o->cohesion != LAW_COHESION_NONE, "none"},
                 {"contact.tangential", o->tangential > LAW_TANGENTIAL_HISTORY, "none, history"},
-                {"contact.rolling", o->rolling != LAW_ROLLING_NONE, "none"},
-                {"contact.twisting", o->twisting != LAW_TWISTING_NONE, "none"},
+                {"contact.rolling", has_no_form(o, LAW_PART_ROLLING, o->rolling, names[0]), names[0]},
+                {"contact.twisting", has_no_form(o, LAW_PART_TWISTING, o->twisting, names[1]), names[1]},
                 {"contact.damping", o->damping != LAW_DAMPING_DEFAULT, "restitution"},
                 {"contact.end", o->end != LAW_END_FORCE, "force"},
                 {"contact.sliding", o->sliding != LAW_SLIDING_SERIES, "series"},
@@ -50,6 +74,12 @@ static bool check_law(const struct scene *scene, struct error *error) {
             return scene_fail(scene, error, part[k].key, "has no form in contact.solver; allowed with it: %s",
                               part[k].allowed);
     return true;
+}
+
+/* The key of a damper of rolling or twisting that is given; NULL: none. */
+static const char *damper_of(const struct law_options *o, const struct law_extra *extra) {
+    const char *rolling = law_rolling_solved(o->rolling, extra).lacks;
+    return rolling ? rolling : law_twisting_solved(o->twisting, extra).lacks;
 }
 
 static bool check_pairs(const struct scene *scene, struct error *error) {
@@ -66,6 +96,11 @@ static bool check_pairs(const struct scene *scene, struct error *error) {
                                   "%s, %s: static_friction has no form in contact.solver; allowed: no more "
                                   "than friction",
                                   scene->material[b].name, scene->material[a].name);
+            const char *damper = damper_of(&scene->law, &pair->extra);
+            if (damper)
+                return scene_fail(scene, error, "material_pairs",
+                                  "%s, %s: %s has no form in contact.solver; allowed with it: 0",
+                                  scene->material[b].name, scene->material[a].name, damper);
         }
     return true;
 }
@@ -97,6 +132,9 @@ static bool check_newton(const struct scene *scene, const struct hard_options *o
     if (options->restitution == HARD_RESTITUTION_POISSON)
         return scene_fail(scene, error, "contact.solver.restitution",
                           "newton solves a step once; allowed with it: pass");
+    if (scene->law.rolling != LAW_ROLLING_NONE || scene->law.twisting != LAW_TWISTING_NONE)
+        return scene_fail(scene, error, "contact.solver.name",
+                          "newton knows neither rolling nor twisting; allowed with these: gauss_seidel");
     return true;
 }
 
@@ -120,9 +158,10 @@ bool hard_check(const struct physics_context *context, struct error *error) {
             }
     if (output_interval_set(&scene->output.walls.every))
         return scene_fail(scene, error, "output.walls", with, "no files of loads on walls");
-    if (output_interval_set(&scene->output.contact_problems.every) && scene->physics_given[PHYSICS_bodies])
+    if (output_interval_set(&scene->output.contact_problems.every) &&
+        (scene->law.rolling != LAW_ROLLING_NONE || scene->law.twisting != LAW_TWISTING_NONE))
         return scene_fail(scene, error, "output.contact_problems.every",
-                          "does not go with bodies yet; allowed: spheres");
+                          "its format has no moments; allowed with it: rolling and twisting none");
     return check_law(scene, error) && check_pairs(scene, error) &&
            check_newton(scene, context->options, error);
 }

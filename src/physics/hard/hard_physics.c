@@ -14,44 +14,10 @@
  * part of sqrt(r/g). The default step is a fraction of it (step.fraction). */
 static const double move_most = 0.5, fall_most = 1.0 / 15.0;
 
-/* Noted before a run: overlaps over the smaller radius above these, at rest and in an impact, and news slower than so many
- * expected speeds. */
-static const double overlap_most = 0.01, impact_most = 0.1, news_least = 3.0;
-
 static double range(const void *context, int kind_a, double radius_a, int kind_b, double radius_b) {
     (void)radius_a, (void)radius_b;
     return kind_a == KIND_GRAIN && kind_b == KIND_GRAIN ? ((const struct hard *)context)->solver.reach
                                                         : -INFINITY;
-}
-
-static void terms_make(struct hard_terms *terms, const struct physics_context *context,
-                       const struct hard_options *options) {
-    const struct scene *scene = context->scene;
-    const struct law *law = &grains_of(context->set)->law;
-    const struct law_form *form = law_form_of(&law->options);
-    bool stiff = law_has_trait(law->options.normal, "stiff");
-    *terms = (struct hard_terms){.kappa = stiff ? options->kappa : 0.0,
-                                 .repair = options->repair,
-                                 .hertz = !stiff && !form->linear,
-                                 .relax = hard_relax_model((enum hard_model_number)options->model)->relax,
-                                 .poisson = options->restitution == HARD_RESTITUTION_POISSON,
-                                 .open = options->model == HARD_MODEL_PROJECTION};
-    bool slick = options->model == HARD_MODEL_FRICTIONLESS;
-    terms->materials = scene->materials;
-    terms->pair = memory_allocate_zero((size_t)(scene->materials * scene->materials), sizeof *terms->pair,
-                                       "hard contacts");
-    for (int a = 0; a < scene->materials; a++)
-        for (int b = 0; b < scene->materials; b++) {
-            const struct law_coefficients *c = law_pair_of(law, a, b);
-            struct hard_term *term = &terms->pair[a * scene->materials + b];
-            *term = (struct hard_term){.friction = slick ? 0.0 : c->friction,
-                                       .restitution = scene_law_pair(scene, a, b)->restitution};
-            if (stiff)
-                continue;
-            term->stiffness = c->k_n;
-            term->tangential = c->k_t;
-            term->damper = c->c_n;
-        }
 }
 
 static size_t listed(const void *self, bool walls, struct force_contact **contacts) {
@@ -69,8 +35,8 @@ static void *create(const struct physics_context *context) {
     solver->comm = solver->newton.comm = context->comm;
     solver->options = *(const struct hard_options *)context->options;
     solver->threads = context->threads;
-    terms_make(&solver->terms, context, &solver->options);
-    hard_pairs_create(&solver->pairs, context->threads);
+    hard_terms_make(&solver->terms, context, &solver->options);
+    hard_pairs_create(&solver->pairs, context->threads, solver->terms.resists);
     hard_contacts_create(&solver->contacts, context->threads);
     for (int w = 0; w < scene->walls; w++)
         hard->wall_material[w] = scene->wall[w].material;
@@ -123,6 +89,9 @@ static struct history_rows *rows(const struct physics_context *context) {
     if (context->list[0]) /* a resume asks before there are lists */
         hard_contacts_detach(&hard->solver.contacts, &hard->solver.pairs, context->list[0],
                              context->particles);
+    const struct history *history = hard->solver.pairs.history;
+    hard->solver.pairs.rows.components =
+        history->components > HISTORY_COMPONENTS_USUAL ? history->components : HISTORY_COMPONENTS_USUAL;
     return &hard->solver.pairs.rows;
 }
 
@@ -168,28 +137,6 @@ static double kappa_now(struct hard *hard, double dt) {
     return hard->stiffness == goal ? kappa : hard->stiffness * (dt * dt);
 }
 
-/* What the springs of rigid contacts cost: the speed of news, the overlap of the heaviest grain on one of the lightest, and that
- * of the lightest when the heaviest lands on a bed of them at the expected speed. A ball that has sunk in by half of the radius of
- * grains touches about as many as its radius is theirs: n springs of kappa m / dt^2 stop M = n^3 m within v dt n / sqrt(kappa). */
-struct price {
-    double news, overlap, impact;
-};
-
-static bool has_price(const struct hard *hard) {
-    return hard->solver.terms.kappa > 0.0 && isfinite(hard->solver.terms.kappa);
-}
-
-static struct price price_of(const struct physics_context *context) {
-    const struct hard *hard = context->self;
-    double kappa = hard->solver.terms.kappa, dt = context->clock->dt;
-    double g = sqrt(vector_dot(context->scene->gravity, context->scene->gravity));
-    double speed = grains_of(context->set)->stable.speed_most;
-    return (struct price){
-        .news = sqrt(kappa) * 2.0 * hard->smallest / dt,
-        .overlap = (1.0 + hard->heavy / hard->light) * g * dt * dt / (kappa * hard->smallest),
-        .impact = speed * dt * cbrt(hard->heavy / hard->light) / (sqrt(kappa) * hard->smallest)};
-}
-
 /* `fall`: gravity times the step. */
 static void count(const struct physics_context *context, double fall) {
     struct hard *hard = context->self;
@@ -203,7 +150,7 @@ static void count(const struct physics_context *context, double fall) {
     hard->worst = fmax(hard->worst, hard->last.residual);
     hard->most.overlap = fmax(hard->most.overlap, hard->last.overlap);
     hard->most.fastest = fmax(hard->most.fastest, hard->last.fastest);
-    hard->most.news = has_price(hard) ? price_of(context).news : 0.0;
+    hard->most.news = hard_has_price(hard) ? hard_price_of(context).news : 0.0;
     if (fall > 0.0)
         hard->most.approach = fmax(hard->most.approach, hard->last.approach / fall);
 }
@@ -302,107 +249,26 @@ static void restart(const struct physics_context *context, struct restart *list)
     restart_add(list, RESTART_REAL, true, &hard->stiffness, "stiffness of solved contacts");
 }
 
+static bool fits(const struct physics_context *context, const char *path,
+                 const struct checkpoint_loaded *loaded, struct error *error) {
+    const struct history_rows *now = rows(context), *then = &loaded->carried[PHYSICS_hard];
+    return then->start == NULL || then->components == now->components ||
+           error_set(error, ERROR_USER,
+                     "%s: its contacts remember %d numbers for contact.solver, those of the scene %d: "
+                     "contact.rolling and contact.twisting must stay",
+                     path, then->components, now->components);
+}
+
 /* Finds walls by their names: the scene may have other walls, or the same in another order. */
 static void resume(const struct physics_context *context, struct checkpoint_loaded *loaded,
                    struct history_rows *rows) {
+    const struct hard *hard = context->self;
     int now[WALLS_MAX];
     (void)rows;
     for (int w = 0; w < loaded->walls; w++)
         now[w] = scene_wall(context->scene, loaded->wall[w].name);
-    hard_contacts_rename(&loaded->carried[PHYSICS_hard], now, loaded->walls, context->particles->owned);
-}
-
-static void report(const struct physics_context *context, struct report_part *part) {
-    const struct hard *hard = context->self;
-    part->contacts = &hard->most;
-    struct report_solver row = {.name = "contacts",
-                                .rows = hard->last.rows,
-                                .solves = hard->solves,
-                                .iterations = hard->sweeps,
-                                .doubtful = hard->unmet,
-                                .residual = hard->last.residual,
-                                .residual_worst = hard->worst};
-    part->solver[part->solvers++] = row;
-    if (hard->solver.options.method != HARD_NEWTON)
-        return;
-    row.name = "newton";
-    row.solves = hard->refined;
-    row.iterations = hard->steps;
-    part->solver[part->solvers++] = row;
-    part->solver[part->solvers++] =
-        (struct report_solver){.name = "newton_step", .solves = hard->steps, .iterations = hard->iterations};
-}
-
-static void notes(const struct physics_context *context, struct notes *notes) {
-    const struct hard *hard = context->self;
-    double kappa = hard->solver.terms.kappa, dt = context->clock->dt;
-    struct price price = price_of(context);
-    if (!has_price(hard))
-        return;
-    if (price.news < news_least * notes->speed_expected) {
-        double more = news_least * notes->speed_expected / price.news;
-        notes_add(
-            notes, false,
-            "contact.solver.kappa: news travels at %.4g, less than %g times the expected speed; kappa: %.3g "
-            "or a step of %.3g is %g times that",
-            price.news, news_least, more * more * kappa, dt / more, news_least);
-    }
-    if (price.overlap > overlap_most)
-        notes_add(
-            notes, false,
-            "contact.solver.kappa: the heaviest grain at rest on one of the lightest overlaps it by %.2g of "
-            "its radius, more than %g; a bed shares the load, one grain needs kappa: %.3g with as many "
-            "sweeps, or a step of %.3g",
-            price.overlap, overlap_most, kappa * price.overlap / overlap_most,
-            dt * sqrt(overlap_most / price.overlap));
-    if (price.impact > impact_most)
-        notes_add(
-            notes, false,
-            "step.dt: the heaviest grain that lands on a bed of the lightest at the expected speed overlaps "
-            "them by about %.2g of their radius, more than %g; needed is a step of %.3g",
-            price.impact, impact_most, dt * impact_most / price.impact);
-}
-
-/* News that was slower than the flow. */
-static void seen(const struct physics_context *context, uint64_t first, struct notes *notes) {
-    const struct hard *hard = context->self;
-    double fastest = hard->most.fastest, more = news_least * fastest / price_of(context).news;
-    (void)first;
-    if (has_price(hard) && more > 1.0)
-        notes_add(notes, false,
-                  "contact.solver.kappa: grains were as fast as %.4g, and news travels at %.4g, less than %g "
-                  "times that; kappa: %.3g or a shorter step is %g times that",
-                  fastest, price_of(context).news, news_least, more * more * hard->solver.options.kappa,
-                  news_least);
-}
-
-static void print(const struct physics_context *context, FILE *file) {
-    const struct hard *hard = context->self;
-    const struct hard_solver *solver = &hard->solver;
-    if (context->comm->rank > 0)
-        return;
-    fprintf(file, "\nsolver of contacts\n");
-    fprintf(file, "  sweeps       up to %d a step, until the residual is %g\n", solver->options.sweeps,
-            solver->options.tolerance);
-    if (solver->options.method == HARD_NEWTON)
-        fprintf(file, "  newton       up to %d steps then\n", solver->options.steps);
-    if (has_price(hard)) {
-        struct price price = price_of(context);
-        fprintf(file, "  news         travels about %.3g grains a step: %.4g in the smallest grains\n",
-                sqrt(solver->terms.kappa), price.news);
-        fprintf(file,
-                "  overlap      of the heaviest grain at rest on one of the lightest: %.2g of the smallest "
-                "radius\n",
-                price.overlap);
-        fprintf(file,
-                "  impact       of the heaviest grain on a bed of the lightest: about %.2g of the smallest "
-                "radius\n",
-                price.impact);
-    }
-    fprintf(file, "  memory       %zu bytes a contact\n",
-            sizeof(struct hard_row) + sizeof(struct hard_memory) +
-                (solver->options.method == HARD_NEWTON ? sizeof(struct hard_newton_row) + sizeof(hard_block)
-                                                       : 0));
+    hard_contacts_rename(&hard->solver.pairs, &loaded->carried[PHYSICS_hard], now, loaded->walls,
+                         context->particles->owned);
 }
 
 static const struct physics_pass pass = {.name = "solve",
@@ -415,15 +281,14 @@ static const struct physics_pass pass = {.name = "solve",
 
 static const struct physics_search search = {
     .interactions = 1, .interaction = {{.name = "solved contact", .range = range}}, .range_of_self = true};
-static const struct physics_rows memory = {
-    .of = rows, .components = HISTORY_COMPONENTS_USUAL, .due = due, .again = rebuilt_again};
+static const struct physics_rows memory = {.of = rows, .due = due, .again = rebuilt_again};
 static const struct physics_limit limits = {
     .of = limit,
     .stays = true,
     .why = "a grain would move by half of the smallest radius in a step, or fall by 1/450 of it"};
-static const struct physics_record record = {.resume = resume};
+static const struct physics_record record = {.fits = fits, .resume = resume};
 static const struct physics_table table = {.open = hard_file_open, .write = hard_file_write};
-static const struct physics_shown shown = {.report = report, .notes = notes, .seen = seen};
+static const struct physics_shown shown = {.report = hard_report, .notes = hard_notes, .seen = hard_seen};
 
 const struct physics hard_physics = {.name = "hard",
                                      .passes = 1,
@@ -434,7 +299,7 @@ const struct physics hard_physics = {.name = "hard",
                                      .rebuilt = rebuilt,
                                      .guard = guard,
                                      .restart = restart,
-                                     .print = print,
+                                     .print = hard_print,
                                      .search = &search,
                                      .rows = &memory,
                                      .limit = &limits,

@@ -7,6 +7,7 @@
 #include "base/file.h"
 #include "engine/report_part.h"
 #include "physics/hard/hard_solve.h"
+#include <stdio.h>
 
 struct error;
 struct physics_context;
@@ -29,6 +30,27 @@ struct hard {
     char directory[FILE_PATH_MAX]; /* of the run */
     int64_t written;               /* step of the last file of output.contact_problems; -1: none */
 };
+
+/* How contacts answer; allocates terms->pair. */
+void hard_terms_make(struct hard_terms *terms, const struct physics_context *context,
+                     const struct hard_options *options);
+
+/* What the springs of rigid contacts cost: the speed of news, the overlap of the heaviest grain on one of the lightest, and that
+ * of the lightest when the heaviest lands on a bed of them at the expected speed. A ball that has sunk in by half of the radius of
+ * grains touches about as many as its radius is theirs: n springs of kappa m / dt^2 stop M = n^3 m within v dt n / sqrt(kappa). */
+struct hard_price {
+    double news, overlap, impact;
+};
+bool hard_has_price(const struct hard *hard);
+struct hard_price hard_price_of(const struct physics_context *context);
+
+/* The report, the notes before a run, what the run has seen, and the words of `scree check`: struct physics. */
+struct notes;
+struct report_part;
+void hard_report(const struct physics_context *context, struct report_part *part);
+void hard_notes(const struct physics_context *context, struct notes *notes);
+void hard_seen(const struct physics_context *context, uint64_t first, struct notes *notes);
+void hard_print(const struct physics_context *context, FILE *file);
 
 /* Refuses what the solver does not know yet: the `check` of struct physics. */
 bool hard_check(const struct physics_context *context, struct error *error);

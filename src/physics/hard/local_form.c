@@ -11,9 +11,11 @@ static const char what[] = "contact problem of a step";
 struct record {
     struct hard_row row;
     struct hard_body body[2];
-    int64_t id[2];      /* of a wall -(number + 1) */
-    double frame[3][3]; /* normal and two tangents */
-    uint32_t end[2];    /* numbers of the bodies */
+    int64_t id[2];       /* of a wall -(number + 1) */
+    double frame[3][3];  /* normal and two tangents */
+    uint32_t end[2];     /* numbers of the bodies */
+    struct hard_arm arm; /* that of the row, if it has one */
+    double turn[2][HARD_TENSOR];
 };
 
 /* An end of a record, to find which records share bodies. */
@@ -40,7 +42,8 @@ static int record_order(const void *x, const void *y) {
     int64_t low = lower_id(a) - lower_id(b), sum = (a->id[0] + a->id[1]) - (b->id[0] + b->id[1]);
     if (low != 0 || sum != 0)
         return low != 0 ? (low > 0) - (low < 0) : (sum > 0) - (sum < 0);
-    return memcmp(a->row.normal, b->row.normal, sizeof a->row.normal);
+    int normal = memcmp(a->row.normal, b->row.normal, sizeof a->row.normal);
+    return normal ? normal : memcmp(a->arm.lever, b->arm.lever, sizeof a->arm.lever); /* of two bodies */
 }
 
 static int end_order(const void *x, const void *y) {
@@ -63,6 +66,26 @@ static void frame_make(struct record *record) {
     vector_cross(n, record->frame[1], record->frame[2]);
 }
 
+/* Takes what the arm of a row has into the record. */
+static void arm_take(struct record *record) {
+    if (record->row.arm == NULL)
+        return;
+    record->arm = *record->row.arm;
+    for (int e = 0; e < 2; e++)
+        if (record->arm.turn[e])
+            memcpy(record->turn[e], record->arm.turn[e], sizeof record->turn[e]);
+}
+
+/* Points to it, where the record now is. */
+static void arm_point(struct record *record) {
+    if (record->row.arm == NULL)
+        return;
+    record->row.arm = &record->arm;
+    for (int e = 0; e < 2; e++)
+        if (record->arm.turn[e])
+            record->arm.turn[e] = record->turn[e];
+}
+
 /* This rank's rows, gathered on rank 0 in the order of ids. Collective. */
 static void records_gather(struct net *net, const struct hard_solver *solver,
                            const struct particles *particles) {
@@ -80,6 +103,7 @@ static void records_gather(struct net *net, const struct hard_solver *solver,
         mine[r].id[1] =
             walled ? -(int64_t)(solver->contacts.wall[wall].place.wall + 1) : particles->id[row->body[1]];
         frame_make(&mine[r]);
+        arm_take(&mine[r]);
     }
     net->records =
         comm_gather_varying(solver->comm, mine, problem->rows * sizeof *mine, &all, NULL) / sizeof *mine;
@@ -87,6 +111,8 @@ static void records_gather(struct net *net, const struct hard_solver *solver,
     memory_free(mine);
     if (net->records > 1)
         qsort(net->record, net->records, sizeof *net->record, record_order);
+    for (size_t r = 0; r < net->records; r++)
+        arm_point(&net->record[r]);
 }
 
 /* Numbers the bodies; each contact with a wall has a body of its own. */

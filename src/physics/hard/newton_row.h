@@ -52,7 +52,7 @@ static inline double hard_newton_push(const struct hard_row *row, double dt, dou
 static inline double hard_newton_spring(const struct hard_row *row, double slide, const double **hold) {
     double soft = row->soft_t;
     if (row->hertz > 0.0)
-        soft = row->deep > 0.0 && row->shear > 0.0 ? 1.0 / (row->shear * sqrt(row->deep)) : 0.0;
+        soft = hard_shear_soft(row);
     *hold = soft > 0.0 ? row->hold : row->q;
     return soft > 0.0 ? soft : HARD_STICK_SOFT * slide;
 }
@@ -102,13 +102,14 @@ static inline void hard_newton_answer(const struct hard_row *row, const struct h
 static inline void hard_newton_plan(struct hard_row *row, struct hard_newton_row *newton, double dt,
                                     const struct hard_body *a, const struct hard_body *b) {
     double u[3], p, q[3], change[3], back[3], push = hard_push(row, a, b), slide = hard_slide(row, a, b);
+    struct hard_answer answer;
     hard_velocity(row, a, b, u);
-    hard_wish(row, dt, a, b, &p, q);
+    hard_wish(row, dt, a, b, &answer);
     struct hard_row next = *row;
-    next.p = p;
+    next.p = answer.p;
     for (int d = 0; d < 3; d++) {
-        next.q[d] = q[d];
-        change[d] = push * (p - row->p) * row->normal[d] + slide * (q[d] - row->q[d]);
+        next.q[d] = answer.q[d];
+        change[d] = push * (answer.p - row->p) * row->normal[d] + slide * (answer.q[d] - row->q[d]);
         u[d] += change[d];
     }
     hard_newton_at(&next, newton, dt, slide, u, &p, q);

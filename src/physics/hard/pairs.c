@@ -7,9 +7,10 @@
 
 static const char what[] = "pairs of contacts";
 
-void hard_pairs_create(struct hard_pairs *pairs, int threads) {
-    *pairs = (struct hard_pairs){.history = history_create(HARD_MEMORY, threads)};
-    pairs->history->odd = HARD_MEMORY_ODD;
+void hard_pairs_create(struct hard_pairs *pairs, int threads, bool resists) {
+    int components = resists ? HARD_MEMORY_RESISTS : HARD_MEMORY;
+    *pairs = (struct hard_pairs){.history = history_create(components, threads), .resists = resists};
+    pairs->history->odd = resists ? HARD_MEMORY_RESISTS_ODD : HARD_MEMORY_ODD;
 }
 
 static void arrays_free(struct hard_pairs *pairs) {
@@ -18,10 +19,12 @@ static void arrays_free(struct hard_pairs *pairs) {
     memory_free(pairs->image);
     memory_free(pairs->number);
     memory_free(pairs->memory);
+    memory_free(pairs->couple);
     pairs->end = NULL;
     pairs->image = NULL;
     pairs->number = NULL;
     pairs->memory = NULL;
+    pairs->couple = NULL;
 }
 
 void hard_pairs_free(struct hard_pairs *pairs) {
@@ -81,6 +84,10 @@ static double images_apart(const struct box *box) {
     return apart;
 }
 
+static struct hard_couple *couple_of(const struct hard_pairs *pairs, size_t m) {
+    return pairs->resists ? &pairs->couple[m] : NULL;
+}
+
 /* Gives the pairs what their rows remember. */
 static void attach(struct hard_pairs *pairs, const struct pairlist *list, const struct particles *p,
                    const struct box *box) {
@@ -91,9 +98,9 @@ static void attach(struct hard_pairs *pairs, const struct pairlist *list, const 
         const struct history_part *part = &pairs->history->part[pairs->history->now][t];
         for (size_t r = 0; r < part->count; r++) {
             uint32_t m = place[pairlist_thread_first(list, t) + part->pair[r]];
-            const double *value = part->value + r * HARD_MEMORY;
+            const double *value = part->value + r * (size_t)pairs->history->components;
             if (m != UINT32_MAX)
-                pairs->memory[m] = (struct hard_memory){value[3], {value[0], value[1], value[2]}};
+                hard_memory_get(pairs, value, &pairs->memory[m], couple_of(pairs, m));
         }
     }
     memory_free(place);
@@ -135,6 +142,8 @@ void hard_pairs_make(struct hard_pairs *pairs, const struct pairlist *list, cons
     pairs->image = memory_allocate(count, 1, what);
     pairs->number = memory_allocate(count, sizeof *number, what);
     pairs->memory = memory_allocate_zero(count, sizeof *pairs->memory, what);
+    if (pairs->resists)
+        pairs->couple = memory_allocate_zero(count, sizeof *pairs->couple, what);
 #pragma omp parallel for schedule(static)
     for (size_t m = 0; m < count; m++) {
         uint32_t k = pairs->colours.order[m];
@@ -172,10 +181,9 @@ void hard_pairs_detach(struct hard_pairs *pairs, const struct pairlist *list,
         while (pairlist_each(list, &pair)) {
             if (place[pair.k] == UINT32_MAX || !is_known(&pairs->memory[place[pair.k]]))
                 continue;
-            const struct hard_memory *memory = &pairs->memory[place[pair.k]];
-            double *value = part->value + part->count * HARD_MEMORY;
-            memcpy(value, memory->rub, sizeof memory->rub);
-            value[3] = memory->push;
+            uint32_t m = place[pair.k];
+            hard_memory_put(pairs, &pairs->memory[m], couple_of(pairs, m),
+                            part->value + part->count * (size_t)history->components);
             part->pair[part->count++] = (uint32_t)(pair.k - first);
         }
     }

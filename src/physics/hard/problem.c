@@ -56,8 +56,15 @@ void hard_problem_visit(const struct hard_problem *problem,
 
 static void warm(void *context, size_t row, size_t end) {
     struct hard_problem *problem = context;
-    for (struct hard_row *r = &problem->row[row]; r < &problem->row[end]; r++)
-        hard_apply(r, &problem->body[r->body[0]], &problem->body[r->body[1]], r->p, r->q);
+    for (struct hard_row *r = &problem->row[row]; r < &problem->row[end]; r++) {
+        struct hard_body *a = &problem->body[r->body[0]], *b = &problem->body[r->body[1]];
+        hard_apply(r, a, b, r->p, r->q);
+        if (r->resist) {
+            double moment[3];
+            hard_resist_moment(r->resist, r->normal, &r->resist->now, moment);
+            hard_resist_apply(r->arm, a, b, moment);
+        }
+    }
 }
 
 void hard_problem_warm(struct hard_problem *problem) {
@@ -102,20 +109,31 @@ bool hard_problem_expand(struct hard_problem *problem) {
     return any;
 }
 
+/* What the couples of a row add to the squares of hard_problem_residual. */
+static void couple_count(const struct hard_couple *now, const struct hard_couple *next, double sum[3]) {
+    double change[3], twist = next->twist - now->twist;
+    vector_minus(next->roll, now->roll, change);
+    sum[0] += vector_dot(change, change) + twist * twist;
+    sum[1] += vector_dot(now->roll, now->roll) + now->twist * now->twist;
+    sum[2] += vector_dot(next->roll, next->roll) + next->twist * next->twist;
+}
+
 void hard_problem_residual(const struct hard_problem *problem, double sum[3]) {
     double(*part)[3] = memory_allocate_zero(problem->cuts, sizeof *part, "residual of contacts");
 #pragma omp parallel for schedule(static) if (problem->rows >= ROWS_ALONE)
     for (size_t k = 0; k < problem->cuts; k++)
         for (size_t r = problem->cut[k]; r < problem->cut[k + 1]; r++) {
             struct hard_row row = problem->row[r];
-            double p, q[3], square;
-            hard_wish(&row, problem->dt, &problem->body[row.body[0]], &problem->body[row.body[1]], &p, q);
-            square = (p - row.p) * (p - row.p);
+            struct hard_answer answer;
+            hard_wish(&row, problem->dt, &problem->body[row.body[0]], &problem->body[row.body[1]], &answer);
+            double p = answer.p, square = (p - row.p) * (p - row.p);
             for (int d = 0; d < 3; d++)
-                square += (q[d] - row.q[d]) * (q[d] - row.q[d]);
+                square += (answer.q[d] - row.q[d]) * (answer.q[d] - row.q[d]);
             part[k][0] += square;
             part[k][1] += row.p * row.p + vector_dot(row.q, row.q);
-            part[k][2] += p * p + vector_dot(q, q);
+            part[k][2] += p * p + vector_dot(answer.q, answer.q);
+            if (row.resist)
+                couple_count(&row.resist->now, &answer.couple, part[k]);
         }
     sum[0] = sum[1] = sum[2] = 0.0;
     for (size_t k = 0; k < problem->cuts; k++)

@@ -22,7 +22,7 @@
 #ifndef SCREE_HARD_ROW_H
 #define SCREE_HARD_ROW_H
 
-#include "physics/hard/arm.h"
+#include "physics/hard/resist.h"
 #include <stdbool.h>
 #include <stdint.h>
 
@@ -52,14 +52,36 @@ struct hard_row {
     double p, q[3];
     double hold[3];
     const struct hard_arm *arm; /* of a contact that is not one of spheres alone; else NULL */
+    struct hard_resist *resist; /* of a contact that resists rolling or twisting; else NULL */
+};
+
+/* The impulses that a visit finds; `couple` only of a row that resists. */
+struct hard_answer {
+    double p, q[3];
+    struct hard_couple couple;
 };
 
 /* Of a row with an arm (general.c): the mean of W in the tangent plane; the impulses that hard_wish and hard_rebound find. */
 double hard_general_slide(const struct hard_row *row, const struct hard_body *a, const struct hard_body *b);
 void hard_general_wish(struct hard_row *row, double dt, const struct hard_body *a, const struct hard_body *b,
-                       double *p, double q[3]);
-double hard_general_rebound(const struct hard_row *row, const struct hard_body *a, const struct hard_body *b,
-                            double q[3]);
+                       struct hard_answer *answer);
+void hard_general_rebound(const struct hard_row *row, const struct hard_body *a, const struct hard_body *b,
+                          struct hard_answer *answer);
+
+/* Of a row that resists (couple.c): what the tangential row and the two resistances of spheres want at the normal impulse
+ * answer->p; fills the rest of `answer`. */
+void hard_resist_wish(const struct hard_row *row, const struct hard_body *a, const struct hard_body *b,
+                      const struct hard_softness *soft, struct hard_answer *answer);
+
+/* The same of the resistances of bodies with levers, while the other impulses stay: fills answer->couple. */
+void hard_resist_couple(const struct hard_row *row, const struct hard_body *a, const struct hard_body *b,
+                        const struct hard_softness *soft, struct hard_answer *answer);
+
+/* The change of the rolling velocity, R w_t, by a unit impulse; of two directions the mean. */
+double hard_resist_roll(const struct hard_row *row, const struct hard_body *a, const struct hard_body *b);
+
+/* The normal and two tangents. */
+void hard_general_axes(const double normal[3], double axis[3][3]);
 
 /* Change of the relative normal velocity by a unit impulse; the same for a tangential one, of two directions the mean. */
 static inline double hard_push(const struct hard_row *row, const struct hard_body *a,
@@ -120,11 +142,16 @@ static inline void hard_impulse(const struct hard_row *row, int e, double impuls
         impulse[d] = sign * (row->p * row->normal[d] + row->q[d]);
     if (row->arm) {
         vector_cross(row->arm->lever[e], impulse, impulse + 3);
-        return;
+    } else {
+        vector_cross(row->normal, row->q, turn);
+        for (int d = 0; d < 3; d++)
+            impulse[3 + d] = -row->lever[e] * turn[d];
     }
-    vector_cross(row->normal, row->q, turn);
-    for (int d = 0; d < 3; d++)
-        impulse[3 + d] = -row->lever[e] * turn[d];
+    if (row->resist) {
+        hard_resist_moment(row->resist, row->normal, &row->resist->now, turn);
+        for (int d = 0; d < 3; d++)
+            impulse[3 + d] += sign * turn[d];
+    }
 }
 
 /* The normal impulse of a row of Hertz: the root of y (1 + a c) + a dt k y^(3/2) = -(gap + dt u_free) - a c min(gap, 0),
@@ -149,31 +176,49 @@ static inline double hard_hertz(struct hard_row *row, double dt, double a, doubl
     return fmax(0.0, row->hertz * y * sqrt(y) + c * (y + before) / dt);
 }
 
+/* The softness of Hertz's tangential spring at the overlap of the last visit. */
+static inline double hard_shear_soft(const struct hard_row *row) {
+    return row->deep > 0.0 && row->shear > 0.0 ? 1.0 / (row->shear * sqrt(row->deep)) : 0.0;
+}
+
+static inline struct hard_softness hard_softness_of(const struct hard_row *row, double slide) {
+    const struct hard_resist *resist = row->resist;
+    return (struct hard_softness){slide, resist->roll_soft < 0.0 ? slide : resist->roll_soft,
+                                  resist->twist_soft};
+}
+
 /* The impulses that the row wants while those of all others stay: a visit without its effect on the bodies. */
 static inline void hard_wish(struct hard_row *row, double dt, const struct hard_body *a,
-                             const struct hard_body *b, double *p, double q[3]) {
+                             const struct hard_body *b, struct hard_answer *answer) {
     if (row->arm) {
-        hard_general_wish(row, dt, a, b, p, q);
+        hard_general_wish(row, dt, a, b, answer);
         return;
     }
-    double u[3], push = hard_push(row, a, b), soft_t = row->soft_t;
+    double u[3], push = hard_push(row, a, b), soft_t = row->soft_t, *q = answer->q;
     hard_velocity(row, a, b, u);
     double u_n = vector_dot(u, row->normal), free = u_n - push * row->p;
     q[0] = q[1] = q[2] = 0.0;
-    *p = 0.0;
-    if (!(push > 0.0))
+    answer->p = 0.0;
+    if (!(push > 0.0)) {
+        answer->couple = (struct hard_couple){0};
         return;
+    }
     if (row->hertz > 0.0) {
-        *p = hard_hertz(row, dt, push, free);
-        soft_t = row->deep > 0.0 && row->shear > 0.0 ? 1.0 / (row->shear * sqrt(row->deep)) : 0.0;
+        answer->p = hard_hertz(row, dt, push, free);
+        soft_t = hard_shear_soft(row);
     } else {
         double spring = -(free + row->bias) / (push + row->soft_n);
         if (free + push * spring > row->release)
             spring = (row->release - HARD_RELEASE_PART * (row->release + row->bias) - free) /
                      (push + HARD_RELEASE_PART * row->soft_n);
-        *p = fmax(row->least, spring);
+        answer->p = fmax(row->least, spring);
     }
-    double limit = row->friction * *p;
+    if (row->resist) {
+        const struct hard_softness soft = hard_softness_of(row, soft_t);
+        hard_resist_wish(row, a, b, &soft, answer);
+        return;
+    }
+    double limit = row->friction * answer->p;
     if (!(limit > 0.0))
         return;
     double slide = hard_slide(row, a, b), square = 0.0;
@@ -188,21 +233,35 @@ static inline void hard_wish(struct hard_row *row, double dt, const struct hard_
     }
 }
 
+/* Gives the bodies the change of the couple. */
+static inline void hard_couple_change(const struct hard_row *row, struct hard_body *a, struct hard_body *b,
+                                      const struct hard_couple *couple) {
+    struct hard_couple *now = &row->resist->now, more = {.twist = couple->twist - now->twist};
+    double moment[3];
+    vector_minus(couple->roll, now->roll, more.roll);
+    hard_resist_moment(row->resist, row->normal, &more, moment);
+    hard_resist_apply(row->arm, a, b, moment);
+    *now = *couple;
+}
+
 /* Gives the bodies the change of the row's impulses. */
-static inline void hard_change(struct hard_row *row, struct hard_body *a, struct hard_body *b, double p,
-                               const double q[3]) {
+static inline void hard_change(struct hard_row *row, struct hard_body *a, struct hard_body *b,
+                               const struct hard_answer *answer) {
+    const double *q = answer->q;
     double more[3] = {q[0] - row->q[0], q[1] - row->q[1], q[2] - row->q[2]};
-    hard_apply(row, a, b, p - row->p, more);
-    row->p = p;
+    hard_apply(row, a, b, answer->p - row->p, more);
+    row->p = answer->p;
     row->q[0] = q[0];
     row->q[1] = q[1];
     row->q[2] = q[2];
+    if (row->resist)
+        hard_couple_change(row, a, b, &answer->couple);
 }
 
 static inline void hard_visit(struct hard_row *row, double dt, struct hard_body *a, struct hard_body *b) {
-    double p, q[3];
-    hard_wish(row, dt, a, b, &p, q);
-    hard_change(row, a, b, p, q);
+    struct hard_answer answer;
+    hard_wish(row, dt, a, b, &answer);
+    hard_change(row, a, b, &answer);
 }
 
 /* Energy in the springs of a row, which act over `duration`: normal, tangential. */
@@ -211,7 +270,7 @@ static inline void hard_stored(const struct hard_row *row, double dt, double dur
     if (row->hertz > 0.0) {
         double root = sqrt(row->deep);
         stored[0] = 0.4 * row->hertz / duration * row->deep * row->deep * root;
-        soft_t = row->shear * root > 0.0 ? 1.0 / (row->shear * root) : 0.0;
+        soft_t = hard_shear_soft(row);
     } else if (row->damper > 0.0) { /* of the spring alone, by its overlap at the end of the step */
         double overlap = fmax(0.0, dt * (row->soft_n * row->p + row->bias) - row->gap);
         stored[0] = 0.5 * (1.0 / row->soft_n - row->damper) / (dt * duration) * overlap * overlap;
@@ -219,6 +278,12 @@ static inline void hard_stored(const struct hard_row *row, double dt, double dur
         stored[0] = share * row->soft_n * row->p * row->p;
     }
     stored[1] = share * soft_t * vector_dot(row->q, row->q);
+    if (row->resist) {
+        const struct hard_softness soft = hard_softness_of(row, soft_t);
+        const struct hard_couple *now = &row->resist->now;
+        stored[1] +=
+            share * (soft.roll * vector_dot(now->roll, now->roll) + soft.twist * now->twist * now->twist);
+    }
 }
 
 /* True if the row takes part in the pass of restitution. */
@@ -226,20 +291,26 @@ static inline bool hard_rebounds(const struct hard_row *row) {
     return row->impact && row->restitution > 0.0 && row->p > 0.0;
 }
 
-/* A visit of the pass of restitution: the relative normal velocity becomes restitution x approach; the tangential row
- * is rigid. */
+/* A visit of the pass of restitution: the relative normal velocity becomes restitution x approach; all other rows
+ * are rigid. */
 static inline void hard_rebound(struct hard_row *row, struct hard_body *a, struct hard_body *b) {
-    double u[3], q[3], square = 0.0, push = hard_push(row, a, b), slide = hard_slide(row, a, b);
+    struct hard_answer answer;
+    double u[3], *q = answer.q, square = 0.0, push = hard_push(row, a, b), slide = hard_slide(row, a, b);
     if (!(push > 0.0))
         return;
     if (row->arm) {
-        double p = hard_general_rebound(row, a, b, q);
-        hard_change(row, a, b, p, q);
+        hard_general_rebound(row, a, b, &answer);
+        hard_change(row, a, b, &answer);
         return;
     }
     hard_velocity(row, a, b, u);
     double u_n = vector_dot(u, row->normal);
-    double p = fmax(0.0, row->p + (row->restitution * row->approach - u_n) / push);
+    double p = answer.p = fmax(0.0, row->p + (row->restitution * row->approach - u_n) / push);
+    if (row->resist) {
+        hard_resist_wish(row, a, b, &(struct hard_softness){0}, &answer);
+        hard_change(row, a, b, &answer);
+        return;
+    }
     for (int d = 0; d < 3; d++) {
         q[d] = row->friction > 0.0 ? row->q[d] - (u[d] - u_n * row->normal[d]) / slide : 0.0;
         square += q[d] * q[d];
@@ -247,7 +318,7 @@ static inline void hard_rebound(struct hard_row *row, struct hard_body *a, struc
     double limit = row->friction * p, keep = square > limit * limit ? limit / sqrt(square) : 1.0;
     for (int d = 0; d < 3; d++)
         q[d] *= keep;
-    hard_change(row, a, b, p, q);
+    hard_change(row, a, b, &answer);
 }
 
 #endif

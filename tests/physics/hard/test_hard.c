@@ -185,6 +185,43 @@ static void test_gap(void **state) {
     hard_problem_free(&problem);
 }
 
+/* An overlap is released within a bounded speed, and the impulse that does it counts in Coulomb's limit: a sphere between a floor at rest and
+ * a belt, into both of which it is pressed, is dragged by friction x the whole impulse of each, and rests if these are equal. */
+static void test_repair(void **state) {
+    (void)state;
+    const double bound = 0.01, friction = 0.3;
+    struct hard_problem problem;
+    for (int belt = 0; belt < 2; belt++) { /* 1: the wall above moves along x */
+        problem_begin(&problem, 3, 2);
+        problem.body[0] = (struct hard_body){0};
+        problem.body[1] = sphere(2.0, 1.0, (double[3]){0, 0, 0});
+        problem.body[2] = (struct hard_body){.v = {belt ? 5.0 : 0.0, 0, 0}};
+        for (uint32_t k = 0; k < 2; k++) {
+            struct hard_row *row = &problem.row[k];
+            *row = contact(problem.body, k, k + 1, HARD_KAPPA);
+            row->lever[k ? 1 : 0] = 0.0;
+            row->gap = k ? -0.02 * step : -0.5 * step; /* deeper in the floor */
+            row->bias = row->gap / step;
+            row->release = bound;
+            row->friction = friction;
+        }
+        for (int sweep = 0; sweep < 2000; sweep++)
+            hard_problem_sweep(&problem);
+        const struct hard_row *floor = &problem.row[0], *lid = &problem.row[1];
+        assert_true(residual(&problem) < 1e-12);
+        assert_true(floor->p > 1e-3 && lid->p > 1e-3);
+        assert_true(problem.body[1].v[2] > 0.0 &&
+                    problem.body[1].v[2] <= bound + HARD_RELEASE_PART * 0.5); /* out of the floor */
+        for (int k = 0; k < 2; k++) {
+            const struct hard_row *row = &problem.row[k];
+            assert_true(sqrt(vector_dot(row->q, row->q)) <= friction * row->p * (1.0 + 1e-12));
+        }
+        if (belt) /* the belt slides: its friction is that of all of its impulse, that of the repair, too */
+            assert_true(fabs(lid->q[0] / (friction * lid->p) + 1.0) < 1e-12);
+        hard_problem_free(&problem);
+    }
+}
+
 /* The force of a row of Hertz is that of its overlap at the end of the step. */
 static void test_hertz(void **state) {
     (void)state;
@@ -317,5 +354,5 @@ static void test_colours(void **state) {
 
 TEST_MAIN(hard, cmocka_unit_test(test_chain_rigid), cmocka_unit_test(test_chain_soft),
           cmocka_unit_test(test_chain_warm), cmocka_unit_test(test_heavy), cmocka_unit_test(test_single),
-          cmocka_unit_test(test_gap), cmocka_unit_test(test_hertz), cmocka_unit_test(test_damper),
-          cmocka_unit_test(test_impacts), cmocka_unit_test(test_colours))
+          cmocka_unit_test(test_gap), cmocka_unit_test(test_repair), cmocka_unit_test(test_hertz),
+          cmocka_unit_test(test_damper), cmocka_unit_test(test_impacts), cmocka_unit_test(test_colours))

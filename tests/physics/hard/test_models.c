@@ -183,7 +183,8 @@ static void test_arm(void **state) {
         struct hard_row row = {
             .body = {0, 1}, .normal = {0, 0.6, 0.8}, .lever = {0.5, 0.7}, .release = INFINITY};
         struct hard_arm arm = {.relax = hard_relax_model(HARD_MODEL_COULOMB)->relax};
-        double p[2], q[2][3];
+        struct hard_resist resist = {.radius = 0.7, .roll_soft = k % 4 ? 0.1 : -1.0, .twist_soft = 0.3};
+        struct hard_answer answer[2] = {0};
         for (int e = 0; e < 2; e++) {
             body[e].lightness = between(&random, 0.5, 2.0);
             body[e].swing = 2.5 * body[e].lightness / (row.lever[e] * row.lever[e]);
@@ -204,13 +205,23 @@ static void test_arm(void **state) {
             row.shear = 1.0;
             row.gap = -0.01;
         }
+        resist.roll_friction = between(&random, 0.0, 0.5);
+        resist.twist_friction = between(&random, 0.0, 0.5);
+        for (int d = 0; d < 3; d++)
+            resist.hold.roll[d] = between(&random, -0.1, 0.1) * (row.normal[d] == 0.0);
+        if (k % 2)
+            row.resist = &resist;
         struct hard_row other = row;
         other.arm = &arm;
-        hard_wish(&row, 0.1, &body[0], &body[1], &p[0], q[0]);
-        hard_wish(&other, 0.1, &body[0], &body[1], &p[1], q[1]);
-        assert_true(fabs(p[1] - p[0]) < 1e-12);
-        for (int d = 0; d < 3; d++)
-            assert_true(fabs(q[1][d] - q[0][d]) < 1e-12);
+        hard_wish(&row, 0.1, &body[0], &body[1], &answer[0]);
+        hard_wish(&other, 0.1, &body[0], &body[1], &answer[1]);
+        assert_true(fabs(answer[1].p - answer[0].p) < 1e-12);
+        assert_true(fabs(answer[1].couple.twist - answer[0].couple.twist) < 1e-12);
+        for (int d = 0; d < 3; d++) {
+            assert_true(fabs(answer[1].q[d] - answer[0].q[d]) <
+                        (k % 2 ? 1e-7 : 1e-12)); /* force and couple in turns */
+            assert_true(fabs(answer[1].couple.roll[d] - answer[0].couple.roll[d]) < (k % 2 ? 1e-7 : 1e-12));
+        }
         assert_true(fabs(hard_push(&row, &body[0], &body[1]) - hard_push(&other, &body[0], &body[1])) <
                     1e-13);
         assert_true(fabs(hard_slide(&row, &body[0], &body[1]) - hard_slide(&other, &body[0], &body[1])) <

@@ -112,12 +112,12 @@ static struct law_coefficients law_combine(const struct law_options *o, const st
                                            const struct law_material *b, const struct law_pair *p) {
     const struct law_form *form = law_form_of(o);
     bool friction = o->tangential != LAW_FRICTIONLESS;
-    if (law_has_trait(o->normal, "stiff"))
-        return (struct law_coefficients){.friction = friction ? p->friction : 0.0};
-    struct law_coefficients c = {.k_n = p->k_n,
-                                 .k_t = p->k_t,
-                                 .friction = friction ? p->friction : 0.0,
+    struct law_coefficients c = {.friction = friction ? p->friction : 0.0,
                                  .rolling_friction = o->rolling ? p->rolling_friction : 0.0};
+    if (law_has_trait(o->normal, "stiff"))
+        return c;
+    c.k_n = p->k_n;
+    c.k_t = p->k_t;
     if (law_has_moduli(o))
         form->moduli(a, b, &c);
     if (!friction)
@@ -163,10 +163,12 @@ static void law_lay_out(struct law *law) {
             apart = apart || law_extra_of(law, a, b)->static_friction > law_pair_of(law, a, b)->friction;
     law->memory.spring =
         law_place(&next, law->spin && !o->solved && o->tangential != LAW_TANGENTIAL_VISCOUS, 3);
-    law->memory.roll = law_place(&next, law->spin && law_rolling_form_of(o->rolling)->spring, 3);
+    law->memory.roll =
+        law_place(&next, law->spin && !o->solved && law_rolling_form_of(o->rolling)->spring, 3);
     law->history_odd = next;
-    law->memory.twist = law_place(&next, o->twisting != LAW_TWISTING_NONE, 1);
-    law->memory.held = law_place(&next, general && law_cohesion_form_of(o->cohesion)->remembers, 1);
+    law->memory.twist = law_place(&next, !o->solved && o->twisting != LAW_TWISTING_NONE, 1);
+    law->memory.held =
+        law_place(&next, general && !o->solved && law_cohesion_form_of(o->cohesion)->remembers, 1);
     law->memory.radius = law_place(
         &next, o->tangential == LAW_TANGENTIAL_RESCALE || o->tangential == LAW_TANGENTIAL_RESCALE_FORCE, 1);
     law->memory.slides = law_place(&next, general && law->spin && apart && law->memory.spring >= 0, 1);

@@ -21,7 +21,8 @@
  *     double cohesion_NAME_energy(numbers, radii, overlap) <= 0; its slope is -force
  *     struct law_cohesion_form cohesion_NAME_form          properties; step_error by examples/step-fraction.sh
  *
- * One that takes the place of the springs (jkr alone so far) has _sticks, _grip and _last instead of _pull and _energy. */
+ * One that takes the place of the springs (jkr alone so far) has _sticks, _grip and _last instead of _pull and _energy. A resistance to rolling
+ * or twisting says as KIND_NAME_solved what a solver of contacts makes of it. */
 #ifndef SCREE_LAWS_LAW_PART_H
 #define SCREE_LAWS_LAW_PART_H
 
@@ -80,6 +81,16 @@ struct law_touch {
  * per angle and rate, the limit over the force that presses. */
 struct law_resistance {
     double stiffness, damping, limit;
+};
+
+/* What a solver of contacts (contact.solver) makes of a resistance: NONE, it has no form; RIGID, it holds up to its limit; TANGENTIAL, a spring
+ * as stiff as the tangential one; SPRING, one of this stiffness (rolling: force per displacement R* x angle; twisting: moment per
+ * angle). limit: of twisting, moment over the force. lacks: the key of a damper that is given and has no form; NULL: none. */
+enum law_solved_row { LAW_SOLVED_NONE, LAW_SOLVED_RIGID, LAW_SOLVED_TANGENTIAL, LAW_SOLVED_SPRING };
+struct law_solved {
+    enum law_solved_row row;
+    double stiffness, limit;
+    const char *lacks;
 };
 
 /* The properties of a rolling resistance. */

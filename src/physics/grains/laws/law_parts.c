@@ -98,3 +98,21 @@ bool law_rolling_general(enum law_rolling rolling, const struct law_extra *extra
 #undef CASE
     return false;
 }
+
+struct law_solved law_rolling_solved(enum law_rolling rolling, const struct law_extra *extra) {
+#define CASE(NAME, name, with, summary)                                                                      \
+    if (rolling == LAW_ROLLING_##NAME)                                                                       \
+        return rolling_##name##_solved(&extra->rolling_##name);
+    LAW_ROLLING_PARTS(CASE)
+#undef CASE
+    return (struct law_solved){0};
+}
+
+struct law_solved law_twisting_solved(enum law_twisting twisting, const struct law_extra *extra) {
+#define CASE(NAME, name, with, summary)                                                                      \
+    if (twisting == LAW_TWISTING_##NAME)                                                                     \
+        return twisting_##name##_solved(&extra->twisting_##name);
+    LAW_TWISTING_PARTS(CASE)
+#undef CASE
+    return (struct law_solved){0};
+}

@@ -70,18 +70,18 @@
         "a dashpot up to Coulomb's limit, without memory: flows, not heaps")
 
 #define LAW_ROLLING_PARTS(ROW)                                                                               \
-    ROW(SPRING, spring, "stiffness moduli",                                                                  \
+    ROW(SPRING, spring, "stiffness moduli stiff",                                                            \
         "a spring and dashpot against rolling, up to a limit (Luding 2008; rolling sds of LAMMPS where "     \
         "rolling_stiffness is given)")                                                                       \
     ROW(EPSD, epsd, "stiffness moduli",                                                                      \
         "elastic-plastic spring and dashpot, type C of Ai et al. 2011: heaps that stand")                    \
-    ROW(CONSTANT, constant, "stiffness moduli",                                                              \
+    ROW(CONSTANT, constant, "stiffness moduli stiff",                                                        \
         "constant torque against the rolling, type A of Ai et al. 2011: flows; trembles at rest")
 #define LAW_ROLLING_TABLE(ROW)                                                                               \
     ROW(NONE, none, "stiffness moduli stiff", "round, smooth grains") LAW_ROLLING_PARTS(ROW)
 
 #define LAW_TWISTING_PARTS(ROW)                                                                              \
-    ROW(SDS, sds, "stiffness moduli",                                                                        \
+    ROW(SDS, sds, "stiffness moduli stiff",                                                                  \
         "spring and dashpot up to a limit, all given (twisting sds of LAMMPS)")                              \
     ROW(MARSHALL, marshall, "stiffness moduli",                                                              \
         "from the tangential spring and the contact radius, nothing given (twisting marshall of LAMMPS)")
@@ -251,6 +251,10 @@ union law_sticky law_sticky_of(enum law_cohesion cohesion, const struct law_coef
 
 /* Raises each number of `widest` to that of a pair of materials. Any thread. */
 void law_sticky_widen(enum law_cohesion cohesion, union law_sticky *widest, const union law_sticky *pair);
+
+/* What a solver makes of a resistance with these coefficients; of `none` nothing. Any thread. */
+struct law_solved law_rolling_solved(enum law_rolling rolling, const struct law_extra *extra);
+struct law_solved law_twisting_solved(enum law_twisting twisting, const struct law_extra *extra);
 
 /* True if a rolling resistance with these coefficients needs the general loop. Any thread. */
 bool law_rolling_general(enum law_rolling rolling, const struct law_extra *extra);

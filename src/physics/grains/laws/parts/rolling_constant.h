@@ -21,6 +21,11 @@ static inline struct law_resistance rolling_constant_resist(const struct rolling
     return (struct law_resistance){0};
 }
 
+static inline struct law_solved rolling_constant_solved(const struct rolling_constant_given *given) {
+    (void)given;
+    return (struct law_solved){.row = LAW_SOLVED_RIGID};
+}
+
 static const struct law_rolling_form rolling_constant_form = {0};
 
 #endif

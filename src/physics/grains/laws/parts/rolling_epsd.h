@@ -35,6 +35,11 @@ static inline struct law_resistance rolling_epsd_resist(const struct rolling_eps
                                    .damping = 2.0 * given->rolling_damping_ratio * sqrt(inertia * stiffness)};
 }
 
+static inline struct law_solved rolling_epsd_solved(const struct rolling_epsd_given *given) {
+    (void)given;
+    return (struct law_solved){.row = LAW_SOLVED_NONE};
+}
+
 static const struct law_rolling_form rolling_epsd_form = {.spring = true, .rests = true};
 
 #endif

@@ -28,6 +28,13 @@ static inline struct law_resistance rolling_spring_resist(const struct rolling_s
                                    .damping = touch->c->c_t * touch->base};
 }
 
+static inline struct law_solved rolling_spring_solved(const struct rolling_spring_given *given) {
+    return (struct law_solved){.row =
+                                   given->rolling_stiffness > 0.0 ? LAW_SOLVED_SPRING : LAW_SOLVED_TANGENTIAL,
+                               .stiffness = given->rolling_stiffness,
+                               .lacks = given->rolling_damping > 0.0 ? "rolling_damping" : NULL};
+}
+
 static const struct law_rolling_form rolling_spring_form = {.spring = true, .plain = true};
 
 #endif

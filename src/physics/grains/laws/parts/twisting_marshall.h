@@ -19,4 +19,9 @@ static inline struct law_resistance twisting_marshall_resist(const struct twisti
                                    .limit = 2.0 / 3.0 * a * touch->c->friction};
 }
 
+static inline struct law_solved twisting_marshall_solved(const struct twisting_marshall_given *given) {
+    (void)given;
+    return (struct law_solved){.row = LAW_SOLVED_NONE};
+}
+
 #endif

@@ -22,4 +22,11 @@ static inline struct law_resistance twisting_sds_resist(const struct twisting_sd
                                    given->twisting_friction};
 }
 
+static inline struct law_solved twisting_sds_solved(const struct twisting_sds_given *given) {
+    return (struct law_solved){.row = LAW_SOLVED_SPRING,
+                               .stiffness = given->twisting_stiffness,
+                               .limit = given->twisting_friction,
+                               .lacks = given->twisting_damping > 0.0 ? "twisting_damping" : NULL};
+}
+
 #endif
