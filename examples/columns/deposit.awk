@@ -1,4 +1,5 @@
-# A column's line from its table and its last frame. Variables: shape (round, plane), sizes, width of the channel (mm), largest radius (mm), seconds, steps.
+# A column's line from its table and its last frame. Variables: shape (round, plane), sizes, width of the channel (mm), radii (mm) of the largest grain
+# and of the floor's, seconds, steps.
 # The front is where grains cover less than `least` of the ground, seen from above, going outwards from the middle of the column: no longer a
 # whole layer. The height is that of the highest grain in the inner quarter.
 # Lengths over the column's radius or length, 20 mm.
@@ -26,7 +27,7 @@ file == 1 {
     atoms = 1
     next
 }
-atoms {
+atoms && $place["z"] > 0 { # what lies above the floor's grains
     m++
     x = $place["x"]
     y = $place["y"]
@@ -50,6 +51,6 @@ END {
     for (k = 1; k <= m; k++)
         if (distance[k] < inner && z[k] + radius[k] > height) height = z[k] + radius[k]
     a = top / r0
-    printf "{\"shape\": \"%s\", \"sizes\": %d, \"grains\": %d, \"aspect\": %.3f, \"run_out\": %.3f, \"height\": %.3f, \"steps\": %d, \"seconds\": %.4g}\n",
-        shape, sizes, m, a, (front - r0) / r0, height / r0, steps, seconds
+    printf "{\"shape\": \"%s\", \"sizes\": %d, \"grains\": %d, \"aspect\": %.3f, \"run_out\": %.3f, \"height\": %.3f, \"grain\": %.4f, \"steps\": %d, \"seconds\": %.4g}\n",
+        shape, sizes, m, a, (front - r0) / r0, height / r0, 2e-3 * glued / r0, steps, seconds
 }

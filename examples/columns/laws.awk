@@ -4,7 +4,7 @@
 #   round, Lajeunesse et al., Phys. Fluids 16 (2004) 2371: a below 3, about 1.7 a^(1/2) above; height 0.74 above 0.74
 #   plane, Lube et al., Phys. Rev. E 72 (2005) 041301: 1.2 a below 1.8, 1.9 a^(2/3) above 2.8
 #   plane, Lajeunesse et al., Phys. Fluids 17 (2005) 103302: a below 3, about 1.4 a^(2/3) above; height a below 0.7, about 0.8 a^(1/3) above
-# The bounds of a run-out are the two laws, and 30 % more and less, as the columns are only ten grains wide. Exponents are fitted from a = 2 (round) and a = 3 on.
+# The bounds of a run-out are the two laws, 20 % more and less, and two diameters of a grain, as the columns are only ten grains wide. Exponents are fitted from a = 2 (round) and a = 3 on.
 function value(key) { return match($0, "\"" key "\": ") ? substr($0, RSTART + RLENGTH) + 0 : 0 }
 function word(key, rest) {
     if (!match($0, "\"" key "\": \"")) return ""
@@ -23,8 +23,9 @@ function lajeunesse(shape, a) { return a < 3 ? a : shape == "round" ? sqrt(3 * a
     run_out = value("run_out")
     one = lube(shape, a)
     two = lajeunesse(shape, a)
-    low = 0.7 * (one < two ? one : two)
-    high = 1.3 * (one > two ? one : two)
+    grain = 2 * value("grain")
+    low = 0.8 * (one < two ? one : two) - grain
+    high = 1.2 * (one > two ? one : two) + grain
     columns++
     of[series]++
     if (run_out < low || run_out > high) {
