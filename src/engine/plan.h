@@ -12,7 +12,7 @@
 #define SCREE_ENGINE_PLAN_H
 
 #include "base/timer.h"
-#include "engine/physics.h"
+#include "engine/physics_set.h"
 #include <stdio.h>
 
 enum { PLAN_PASSES_MAX = 32 };

@@ -5,7 +5,7 @@
 #define SCREE_ENGINE_STAGES_H
 
 #include "base/timer.h"
-#include "engine/physics.h"
+#include "engine/physics_set.h"
 
 /* Registers the stages of a run with these physics, whether or not a pass of the stage will run: runs of a
  * scene on other ranks and in other orders have the same stages. */

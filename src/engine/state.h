@@ -6,6 +6,7 @@
 #define SCREE_ENGINE_STATE_H
 
 #include "engine/plan.h"
+#include "engine/physics_set.h"
 #include "base/log.h"
 #include "base/team.h"
 #include "data/formats/output.h"

@@ -4,6 +4,7 @@
 
 #include "engine/plan.h"
 #include "engine/stages.h"
+#include "engine/physics_set.h"
 
 #include <math.h>
 #include <string.h>

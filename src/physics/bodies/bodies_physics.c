@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* Bodies as a physics: checks of the section, the pass of the step, the hooks of the engine. Read bodies.h first. */
 #include "physics/bodies/bodies.h"
+#include "engine/physics_set.h"
 #include "physics/bodies/bodies_fields.h"
 #include "physics/grains/grains.h"
 #include "physics/grains/motion/timestep.h"

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* The contacts of rocks in a step: points, the law at each point, forces and torques. Read rocks.h first. */
 #include "physics/bodies/rocks_ends.h"
+#include "engine/physics_set.h"
 #include "base/vector.h"
 #include "physics/bodies/rotor.h"
 #include "physics/grains/grains.h"

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* Asks the physics of a scene for a fluid that carries grains. Read carrier.h first. */
 #include "physics/drag/carrier.h"
-#include "engine/physics.h"
+#include "engine/physics_set.h"
 #include "kernel/particles/kinds.h"
 
 #define OF_CARRIER .type = FIELD_DOUBLE, .needed_for = "fluid.grains.unresolved"

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* What other physics ask of grains. Read grains.h first. */
 #include "physics/grains/grains.h"
+#include "engine/physics_set.h"
 
 struct grains *grains_of(const struct physics_set *set) {
     for (int k = 0; k < set->count; k++)

@@ -3,6 +3,7 @@
  * first. */
 #include "physics/grains/grains_own.h"
 #include "engine/report_part.h"
+#include "engine/physics_set.h"
 #include "kernel/pairs/skin.h"
 #include "kernel/pairs/walk.h"
 #include "kernel/particles/kinds.h"

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* Passes the contacts of all ranks to stability.h and iterates. Read grains_own.h first. */
 #include "physics/grains/grains_own.h"
+#include "engine/physics_set.h"
 #include "kernel/particles/material.h"
 #include "kernel/particles/spin.h"
 #include "base/memory.h"

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* Collects the sorts of grains of a run. Read sorts.h first. */
 #include "physics/grains/sorts.h"
+#include "engine/physics_set.h"
 #include "kernel/particles/material.h"
 #include "kernel/pairs/skin.h"
 #include "kernel/particles/kinds.h"

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* What hard contacts refuse of a scene: laws, parts of laws and other physics. Read hard.h first. */
 #include "physics/hard/hard_state.h"
-#include "engine/physics.h"
+#include "engine/physics_set.h"
 #include "physics_table.h"
 #include <stdio.h>
 #include <string.h>

@@ -4,6 +4,7 @@
 #include "engine/notes.h"
 #include "physics/grains/grains.h"
 #include "engine/report_part.h"
+#include "engine/physics_set.h"
 #include "physics/hard/hard_state.h"
 #include "kernel/particles/kinds.h"
 #include "kernel/particles/material.h"

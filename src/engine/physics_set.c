@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* The physics of a run: finds the physics that the scene asks for, and calls them. Read physics.h first. */
-#include "engine/physics.h"
+#include "engine/physics_set.h"
 #include "kernel/particles/kinds.h"
 #include <assert.h>
 #include <math.h>
