@@ -507,7 +507,7 @@ check 'info tells what is inside' told
 echo '== ablation'
 ablated() {
     on 1 "$scree" ablate smooth.yaml -o table --threads 1 --steps 25 >said 2>&1 || { cat said; return 1; }
-    awk -F, -v all="$(indexes | wc -w)" 'NR == 1 { columns = NF; next } NF != columns || seen[$1 "," $2 "," $4]++ { bad = 1 } { pairs[$9]++; index_[$1]++; newton[$2]++ }
+    awk -F, -v all="$(indexes | wc -w)" 'NR == 1 { columns = NF; for (k = 1; k <= NF; k++) if ($k == "pairs") at = k; next } NF != columns || !at || seen[$1 "," $2 "," $4]++ { bad = 1 } { pairs[$at]++; index_[$1]++; newton[$2]++ }
         END { for (p in pairs) different++; for (i in index_) indexes++; for (n in newton) newtons++
             exit !(NR == 1 + 2 * all && !bad && different == 1 && indexes == all && all >= 6 && newtons == 2) }' table/*.csv || { cat table/*.csv; return 1; }
 }
