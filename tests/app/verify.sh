@@ -1,11 +1,12 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: BSD-3-Clause
-# The verification cases in their quick form: all cases except those with many particles and many steps.
+# The verification cases in their quick form: all cases except those with many particles and many steps, which make check-long runs, too.
 set -u
 . "$top_srcdir/tests/app/common.sh"
 case $scree in /*) ;; *) scree=$PWD/$scree ;; esac
 
-slow=" beverloo beverloo-3d drum-angle fluid-cylinder hard-beverloo hard-janssen hard-mu-of-i janssen settling "
+slow=" beverloo beverloo-3d drum-angle fluid-cylinder hard-beverloo hard-janssen hard-mu-of-i janssen settling water-hindered water-two-spheres "
+[ -z "${SCREE_LONG:-}" ] || slow=' '
 # fluids want PETSc
 [ -e "$top_builddir/libsolve_petsc.la" ] || { slow="$slow$(cd "$top_srcdir/examples/verify" && echo fluid-* water-*) "; echo 'skipped: the cases of fluids: PETSc is not there'; }
 cases=
