@@ -220,6 +220,8 @@ static void contacts_act(const struct rocks_scene *scene, struct rocks_pair *pai
     }
     for (int c = 0; c < contacts->count; c++) {
         push_act(pair, ends, &contacts->touch[c], contacts->spring[c]);
+        if (pair->wall >= 0 && contacts->spring[c] > 0)
+            pair->sums.impedance += sqrt(ends->mass * contacts->spring[c] / contacts->touch[c].overlap);
         pair->sums.normal += contacts->energy[c];
         if (contacts->touch[c].overlap <= pair->sums.overlap * ends->ball)
             continue;
@@ -288,7 +290,7 @@ static void wall_push(const struct rocks_scene *scene, struct walls *walls, cons
         place.normal[d] = pair->normal[d];
         place.at[d] = scene->particles->state[pair->end[0]].x[d] - shift[d] - arm[d] / square;
     }
-    walls_push(walls, 0, &place, pair->force);
+    walls_push(walls, 0, &place, pair->force, pair->sums.impedance);
 }
 
 void rocks_act(struct bodies *bodies, const struct physics_context *context) {
