@@ -20,10 +20,11 @@ struct hard_price hard_price_of(const struct physics_context *context) {
     double kappa = hard->solver.terms.kappa, dt = context->clock->dt;
     double g = sqrt(vector_dot(context->scene->gravity, context->scene->gravity));
     double speed = grains_of(context->set)->stable.speed_most;
-    return (struct hard_price){
-        .news = sqrt(kappa) * 2.0 * hard->smallest / dt,
-        .overlap = (1.0 + hard->heavy / hard->light) * g * dt * dt / (kappa * hard->smallest),
-        .impact = speed * dt * cbrt(hard->heavy / hard->light) / (sqrt(kappa) * hard->smallest)};
+    return (struct hard_price){.news = sqrt(kappa) * 2.0 * hard->sizes.smallest / dt,
+                               .overlap = (1.0 + hard->sizes.heavy / hard->sizes.light) * g * dt * dt /
+                                          (kappa * hard->sizes.smallest),
+                               .impact = speed * dt * cbrt(hard->sizes.heavy / hard->sizes.light) /
+                                         (sqrt(kappa) * hard->sizes.smallest)};
 }
 
 void hard_report(const struct physics_context *context, struct report_part *part) {
