@@ -91,6 +91,17 @@ void hard_seen(const struct physics_context *context, uint64_t first, struct not
                   news_least);
 }
 
+static size_t contact_bytes(const struct hard_solver *solver) {
+    size_t bytes = sizeof(struct hard_row) + sizeof(struct hard_memory);
+    if (solver->options.method == HARD_NEWTON)
+        bytes += sizeof(struct hard_newton_row) + sizeof(hard_block);
+    if (solver->terms.resists)
+        bytes += sizeof(struct hard_resist) + sizeof(struct hard_couple);
+    if (solver->terms.open || solver->clumps.links)
+        bytes += sizeof(struct hard_arm);
+    return bytes;
+}
+
 void hard_print(const struct physics_context *context, FILE *file) {
     const struct hard *hard = context->self;
     const struct hard_solver *solver = &hard->solver;
@@ -114,8 +125,5 @@ void hard_print(const struct physics_context *context, FILE *file) {
                 "radius\n",
                 price.impact);
     }
-    fprintf(file, "  memory       %zu bytes a contact\n",
-            sizeof(struct hard_row) + sizeof(struct hard_memory) +
-                (solver->options.method == HARD_NEWTON ? sizeof(struct hard_newton_row) + sizeof(hard_block)
-                                                       : 0));
+    fprintf(file, "  memory       %zu bytes a contact\n", contact_bytes(solver));
 }
