@@ -146,4 +146,17 @@ refused() { # TEXT SETTING...
 check "a given centre is refused" refused 'bodies.clumps\[0\]: a given centre .*allowed with it: those of the shape' --set 'bodies.clumps[0].centre=[0, 0, 0]' --set 'bodies.clumps[0].inertia=[1, 1, 1, 0, 0, 0]' --set 'bodies.clumps[0].mass=1000'
 check "mirrors of bodies are refused" refused 'fluid: a fluid around bodies needs coupling: rigid' --set fluid.motion=lagrangian --set 'contact={law: hertz}' \
     --set 'materials=[{name: glass, density: 2.5, young: 1000, poisson: 0.3}]'
+
+# A body that resists rolling, by a solver of contacts, comes to rest with its lean on the floor; without the resistance it turns on
+leans() { # RANKS DIR SETTING...
+    run_scene "$1" box.yaml "$2" --set threads=1 --set 'particles={from: single, position: [16.2, 6, 0], radius: 4.6, velocity: [0.1, -0.1, 0]}' --set step.count=160 \
+        --set 'bodies={clumps: [{spheres: [{centre: [-0.5, 0, 0], radius: 1}, {centre: [0.7, 0, 0], radius: 0.95}]}]}' --set 'materials=[{name: glass, density: 0.46875}]' \
+        --set 'contact={law: rigid, solver: {sweeps: 50}}' --set 'observables={every: 160, list: [{name: energy_kinetic}, {name: energy_rotational}, {name: centre}, {name: wall_force, target: floor}]}' "${@:3}"
+}
+resists=(--set contact.rolling=spring --set material_pairs[0].rolling_friction=0.3)
+held() { leans 1 held "${resists[@]}" && within "$(last_of held/observables.csv energy_rotational)" 0 1e-8 && leans 1 loose && ! within "$(last_of loose/observables.csv energy_rotational)" 0 1e-4; }
+check "a body rests by its resistance to rolling" held
+check "the same on 2 ranks" leans 2 held2 "${resists[@]}"
+check "to the tolerance" close held held2 1e-5
+
 finish
