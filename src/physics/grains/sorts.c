@@ -92,13 +92,38 @@ static void sorts_enter(const struct physics_context *c, struct sorts *sorts, st
         }
 }
 
-/* Adds the sorts of an insertion, from its smallest to its largest size. */
+/* Adds the sorts of an insertion, from its smallest to its largest size, and on both sides of the sizes between which grains
+ * become something else. */
+static void sorts_sizes(const struct physics_context *c, struct sorts *sorts,
+                        const struct insertion_options *options, double density,
+                        const struct sorts_sphere *moving) {
+    double radius[2];
+    sizes_bounds(&options->sizes, &radius[0], &radius[1]);
+    struct physics_grain grain = {.material = options->material};
+    bool made = false; /* spheres that stay as they are lie between their ends */
+    for (double edge = nextafter(radius[0], 0);
+         (edge = physics_edge(c->set, options->material, edge)) < radius[1]; made = true)
+        for (int side = 0; side < 2; side++) {
+            grain.radius = fmax(side ? nextafter(edge, INFINITY) : edge, radius[0]);
+            grain.density = particles_density(c->box, grain.radius, density);
+            sorts_enter(c, sorts, grain, moving);
+        }
+    grain.radius = radius[0];
+    made = made || physics_parts(c->set, &grain) > 0;
+    for (int k = 0; k < SORTS_SIZES; k += made ? 1 : SORTS_SIZES - 1) {
+        double part = (double)k / (SORTS_SIZES - 1);
+        grain.radius = (1 - part) * radius[0] + part * radius[1];
+        grain.density = particles_density(c->box, grain.radius, density);
+        sorts_enter(c, sorts, grain, moving);
+    }
+}
+
+/* Adds the sorts of an insertion. */
 static void sorts_insert(const struct physics_context *c, struct sorts *sorts,
                          const struct insertion_options *options) {
-    double radius[2], edge[2][3], v2 = 0, sigma = options->velocity_sigma, density = options->density;
+    double edge[2][3], v2 = 0, sigma = options->velocity_sigma, density = options->density;
     if (!(density > 0))
         density = c->scene->material[options->material].density;
-    sizes_bounds(&options->sizes, &radius[0], &radius[1]);
     region_bounds(&options->region, edge[0], edge[1]);
     for (int d = 0; d < 3; d++) {
         edge[0][d] = fmin(edge[0][d] - c->box->origin[d], c->box->edge[d]);
@@ -109,16 +134,7 @@ static void sorts_insert(const struct physics_context *c, struct sorts *sorts,
     /* the highest sphere touches the side of the region from which it falls deepest */
     double fall = fall_from(c, edge[1], edge[0]);
     const struct sorts_sphere sphere = {.start = v2, .fall = fall};
-    struct physics_grain grain[SORTS_SIZES];
-    bool made = false; /* spheres that stay as they are lie between their ends */
-    for (int k = 0; k < SORTS_SIZES; k++) {
-        double part = (double)k / (SORTS_SIZES - 1), size = (1 - part) * radius[0] + part * radius[1];
-        grain[k] =
-            (struct physics_grain){options->material, size, particles_density(c->box, size, density), 0, 0};
-        made = made || physics_parts(c->set, &grain[k]) > 0;
-    }
-    for (int k = 0; k < SORTS_SIZES; k += made ? 1 : SORTS_SIZES - 1)
-        sorts_enter(c, sorts, grain[k], &sphere);
+    sorts_sizes(c, sorts, options, density, &sphere);
 }
 
 /* Adds a particle of this rank. */
