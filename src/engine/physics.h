@@ -177,6 +177,9 @@ struct physics_maker {
      * that stay as they are have none. The same on all ranks; any thread. NULL: all grains stay. */
     bool (*part)(const struct physics_context *context, const struct physics_grain *grain, int number,
                  struct physics_part *part);
+    /* The least radius above `radius` at which grains of a material become something else; INFINITY: there is none. Grains of that
+     * radius belong to those below. NULL: there is none. */
+    double (*edge)(const struct physics_context *context, int material, double radius);
     /* Makes particle k of this rank, a grain that has just been appended, and its parts, which are appended with ids from
      * `first_id` on. In a rebuild, without copies. */
     void (*join)(const struct physics_context *context, size_t k, int64_t first_id);

@@ -178,6 +178,14 @@ double physics_mass(const struct physics_set *set, const struct physics_grain *g
     return mass;
 }
 
+double physics_edge(const struct physics_set *set, int material, double radius) {
+    double least = INFINITY;
+    PHYSICS_EACH (active, set, maker)
+        if (active->row->maker->edge)
+            least = fmin(least, active->row->maker->edge(&active->context, material, radius));
+    return least;
+}
+
 void physics_join(const struct physics_set *set, size_t k, int64_t first_id) {
     PHYSICS_EACH (active, set, maker)
         if (active->row->maker->join)

@@ -58,6 +58,9 @@ bool physics_part(const struct physics_set *set, const struct physics_grain *gra
 int64_t physics_parts(const struct physics_set *set, const struct physics_grain *grain);
 double physics_mass(const struct physics_set *set, const struct physics_grain *grain);
 
+/* The least radius above `radius` at which grains of a material that enter become something else; INFINITY: there is none. */
+double physics_edge(const struct physics_set *set, int material, double radius);
+
 /* Particle k of this rank has been appended, and becomes what a physics makes of it; ids from first_id on are free. */
 void physics_join(const struct physics_set *set, size_t k, int64_t first_id);
 

@@ -109,4 +109,26 @@ check 'the stable step knows the members that will come' stable
 check 'refused: a body as drawn that is larger than its grain' scene_refused "insertions[0].sizes: the body 'big' as drawn has a ball of radius 2" hopper.yaml \
     --set 'bodies.clumps[0]={name: big, material: a, size: drawn, spheres: [{centre: [-1, 0, 0], radius: 1}, {centre: [1, 0, 0], radius: 1}]}'
 check 'refused: a rock as large as the box' scene_refused "insertions[0].sizes: the rock 'rock' has a ball of radius 3" rocks.yaml --set insertions[0].sizes=3 --set 'insertions[0].region=~'
+
+# The stable step knows the smallest and the largest bodies that may come, however narrow their range among the sizes is
+cat >sizes.yaml <<'YAML'
+units: none
+box: {lower: [0, 0, 0], upper: [9, 9, 9]}
+step: {fraction: 0.5, count: 1, speed_max: 1}
+contact: {law: hooke}
+materials: [{name: a, density: 1}]
+material_pairs: [{k_n: 1000, restitution: 0.6}]
+particles: {from: single, position: [5, 5, 5], radius: 0.1101}
+bodies: {clumps: [{radius_above: 0.11, radius_upto: 0.15, spheres: [{centre: [0, 0, 0], radius: 1}, {centre: [1, 0, 0], radius: 0.2}]}]}
+insertions: [{rate: 1, sizes: {law: uniform, min: 0.1, max: 1}}]
+output: {checkpoint: {at_end: false}}
+YAML
+step_of() { # DIR SETTING...
+    run_scene 1 sizes.yaml "$@" && sed -n 's/.*"dt": \([^,]*\),.*/\1/p' "$1/report.json" >"$1.step"
+}
+knows() {
+    step_of there --set insertions='[]' && step_of comes --set particles.radius=1 && step_of none --set particles.radius=1 --set bodies.clumps[0].radius_upto=0.11000001 --set bodies.clumps[0].radius_above=0.05 --set insertions[0].sizes=1 &&
+        paste there.step comes.step none.step | awk '{ print "  steps " $1 ", " $2 " of those that come, " $3 " without"; exit !($2 <= $1 && $2 > 0.9 * $1 && $3 > 2 * $1) }'
+}
+check 'the stable step of bodies that come' knows
 finish

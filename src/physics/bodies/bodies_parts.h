@@ -32,6 +32,9 @@ void bodies_motion_push(const struct bodies_links *links, const struct physics_c
 /* The entry that a grain of this material and radius becomes a body of, those of clumps first; -1: none. */
 int place_entry(const struct bodies_options *options, int material, double radius);
 
+/* The least radius above `radius` that bounds the grains of an entry; INFINITY: there is none. */
+double place_edge(const struct bodies_options *options, int material, double radius);
+
 /* The shapes of an entry (-1: none): their number, and that of the first one. */
 int place_shapes(const struct bodies_options *options, int entry, int *first);
 

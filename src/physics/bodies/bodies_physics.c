@@ -129,6 +129,10 @@ static bool part(const struct physics_context *context, const struct physics_gra
     return place_part(context->self, context->scene->seed, grain, number, found);
 }
 
+static double edge(const struct physics_context *context, int material, double radius) {
+    return place_edge(context->options, material, radius);
+}
+
 static void join(const struct physics_context *context, size_t k, int64_t first_id) {
     place_join(context->self, context, k, first_id);
 }
@@ -331,7 +335,8 @@ static const struct physics_pass passes[] = {{.name = "bodies",
                                               .needed = has_rocks,
                                               .whole = sum}};
 
-static const struct physics_maker maker = {.fill = fill, .part = part, .join = join, .admit = admit};
+static const struct physics_maker maker = {
+    .fill = fill, .part = part, .edge = edge, .join = join, .admit = admit};
 static const struct physics_rows rows = {.of = rows_of, .components = ROCKS_COMPONENTS};
 static const struct physics_joints joints = {.joined = joined,
                                              .joins = has_rocks,

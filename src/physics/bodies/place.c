@@ -32,6 +32,18 @@ int place_entry(const struct bodies_options *options, int material, double radiu
     return -1;
 }
 
+double place_edge(const struct bodies_options *options, int material, double radius) {
+    double least = INFINITY;
+    for (int k = 0; k < options->clumps + options->rocks; k++) {
+        const struct clump_entry *entry =
+            k < options->clumps ? &options->clump[k].entry : &options->rock[k - options->clumps].entry;
+        const double bound[2] = {entry->radius_above, entry->radius_upto};
+        for (int e = 0; e < 2 && (entry->material < 0 || entry->material == material); e++)
+            least = bound[e] > radius ? fmin(least, bound[e]) : least;
+    }
+    return least;
+}
+
 int place_shapes(const struct bodies_options *options, int entry, int *first) {
     const int clumps = options->clumps;
     *first = entry < clumps ? entry : clumps;

@@ -9,6 +9,9 @@
 #include <math.h>
 #include <string.h>
 
+/* Sizes of an insertion that are looked at, where grains become something else. */
+enum { SORTS_SIZES = 17 };
+
 /* A sphere of a sort. */
 struct sorts_sphere {
     double radius, mass;
@@ -75,37 +78,48 @@ static double fall_from(const struct physics_context *c, const double lower[3], 
     return fall;
 }
 
+/* A grain of an insertion that enters. */
+struct sorts_entry {
+    struct sorts *sorts;
+    struct sorts_sphere moving;
+};
+
 /* Adds the sorts of the spheres that a grain of an insertion becomes, of all variants. */
-static void sorts_enter(const struct physics_context *c, struct sorts *sorts, struct physics_grain grain,
-                        const struct sorts_sphere *moving) {
-    struct sorts_sphere sphere = *moving;
+static void sorts_enter(void *data, const struct physics_context *c, struct physics_grain grain) {
+    const struct sorts_entry *entry = data;
+    struct sorts_sphere sphere = entry->moving;
     struct physics_part part;
     for (grain.variant = 0; physics_part(c->set, &grain, 0, &part); grain.variant++)
         for (int k = 0; physics_part(c->set, &grain, k, &part); k++) {
             sphere.radius = part.radius;
             sphere.mass = part.mass;
             sphere.body = body_of(c, SIZE_MAX, &grain);
-            sorts_put(sorts, sort_of(c, grain.material, part.radius, part.mass), &sphere);
+            sorts_put(entry->sorts, sort_of(c, grain.material, part.radius, part.mass), &sphere);
         }
 }
 
-int sorts_entering(const struct physics_context *c, const struct insertion_options *options,
-                   struct physics_grain grain[SORTS_SIZES]) {
-    double radius[2], density = options->density;
+static struct physics_grain grain_of(const struct physics_context *c, const struct insertion_options *options,
+                                     double radius) {
+    double density = options->density > 0 ? options->density : c->scene->material[options->material].density;
+    return (struct physics_grain){options->material, radius, particles_density(c->box, radius, density), 0,
+                                  0};
+}
+
+void sorts_entering(const struct physics_context *c, const struct insertion_options *options,
+                    sorts_visit *visit, void *data) {
+    double radius[2];
     bool made = false; /* spheres that stay as they are lie between their ends */
-    if (!(density > 0))
-        density = c->scene->material[options->material].density;
     sizes_bounds(&options->sizes, &radius[0], &radius[1]);
-    for (int k = 0; k < SORTS_SIZES; k++) {
-        double part = (double)k / (SORTS_SIZES - 1), size = (1 - part) * radius[0] + part * radius[1];
-        grain[k] =
-            (struct physics_grain){options->material, size, particles_density(c->box, size, density), 0, 0};
-        made = made || physics_parts(c->set, &grain[k]) > 0;
+    for (double edge = nextafter(radius[0], 0);
+         (edge = physics_edge(c->set, options->material, edge)) < radius[1]; made = true)
+        for (int side = 0; side < 2; side++)
+            visit(data, c, grain_of(c, options, fmax(side ? nextafter(edge, INFINITY) : edge, radius[0])));
+    const struct physics_grain smallest = grain_of(c, options, radius[0]);
+    made = made || physics_parts(c->set, &smallest) > 0;
+    for (int k = 0; k < SORTS_SIZES; k += made ? 1 : SORTS_SIZES - 1) {
+        double part = (double)k / (SORTS_SIZES - 1);
+        visit(data, c, grain_of(c, options, (1 - part) * radius[0] + part * radius[1]));
     }
-    if (made)
-        return SORTS_SIZES;
-    grain[1] = grain[SORTS_SIZES - 1];
-    return 2;
 }
 
 /* Adds the sorts of an insertion. */
@@ -121,11 +135,8 @@ static void sorts_insert(const struct physics_context *c, struct sorts *sorts,
     sorts->fastest = fmax(sorts->fastest, v2);
     /* the highest sphere touches the side of the region from which it falls deepest */
     double fall = fall_from(c, edge[1], edge[0]);
-    const struct sorts_sphere sphere = {.start = v2, .fall = fall};
-    struct physics_grain grain[SORTS_SIZES];
-    int grains = sorts_entering(c, options, grain);
-    for (int k = 0; k < grains; k++)
-        sorts_enter(c, sorts, grain[k], &sphere);
+    struct sorts_entry entry = {sorts, {.start = v2, .fall = fall}};
+    sorts_entering(c, options, sorts_enter, &entry);
 }
 
 /* Adds a particle of this rank. */

@@ -23,13 +23,11 @@ struct sorts {
 /* Collects the sorts of all ranks. Collective. */
 void sorts_collect(const struct physics_context *context, struct sorts *sorts);
 
-/* Sizes of an insertion that are looked at. */
-enum { SORTS_SIZES = 17 };
-
-/* The grains of an insertion, from the smallest to the largest, with the first variant of what they become. Returns their number, up to
- * SORTS_SIZES. */
-int sorts_entering(const struct physics_context *context, const struct insertion_options *options,
-                   struct physics_grain grain[SORTS_SIZES]);
+/* Visits grains of an insertion, from its smallest to its largest size, and on both sides of the sizes between which grains
+ * become something else, each with the first variant of what it becomes. */
+typedef void sorts_visit(void *data, const struct physics_context *context, struct physics_grain grain);
+void sorts_entering(const struct physics_context *context, const struct insertion_options *options,
+                    sorts_visit *visit, void *data);
 
 /* The material of a sort. */
 int sorts_material(int sort);

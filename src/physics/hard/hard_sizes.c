@@ -34,8 +34,8 @@ static void particle_count(const struct physics_context *context, size_t k, stru
 }
 
 /* Counts what a grain of this size becomes, of all variants. */
-static void grain_count(const struct physics_context *context, struct physics_grain grain,
-                        struct hard_sizes *sizes) {
+static void grain_count(void *data, const struct physics_context *context, struct physics_grain grain) {
+    struct hard_sizes *sizes = data;
     struct physics_part part;
     for (grain.variant = 0; physics_part(context->set, &grain, 0, &part); grain.variant++) {
         for (int n = 0; physics_part(context->set, &grain, n, &part); n++)
@@ -48,12 +48,8 @@ struct hard_sizes hard_sizes_find(const struct physics_context *context) {
     struct hard_sizes sizes = {INFINITY, INFINITY, 0.0};
     for (size_t k = 0; k < context->particles->owned; k++)
         particle_count(context, k, &sizes);
-    for (int k = 0; k < context->scene->insertions; k++) {
-        struct physics_grain grain[SORTS_SIZES];
-        int grains = sorts_entering(context, &context->scene->insertion[k], grain);
-        for (int n = 0; n < grains; n++)
-            grain_count(context, grain[n], &sizes);
-    }
+    for (int k = 0; k < context->scene->insertions; k++)
+        sorts_entering(context, &context->scene->insertion[k], grain_count, &sizes);
     double least[2] = {sizes.smallest, sizes.light};
     comm_min(context->comm, least, 2);
     comm_max(context->comm, &sizes.heavy, 1);
