@@ -147,12 +147,13 @@ struct scree_particle {
 };
 
 /* Adds particles in the next step; their ids follow the largest id so far, in order. Whether they overlap others is not
- * looked at. The array is borrowed for the call. Collective. */
+ * looked at. A fluid refuses all, and a periodic box rocks that are too large for it. The array is borrowed for the
+ * call. Collective. */
 bool scree_add(struct scree_simulation *simulation, const struct scree_particle *particles, size_t count,
                struct scree_error *error);
 
 /* Deletes the particles with these ids in the next step, those of rigid bodies with the whole body; unknown ids do nothing.
- * Collective. */
+ * Beside a fluid that resolves grains the next step fails instead. Collective. */
 void scree_delete(struct scree_simulation *simulation, const int64_t *ids, size_t count);
 
 /* Writes DIRECTORY/checkpoint-STEP.h5, from which the program, too, goes on. The simulation searches its pairs again

@@ -180,6 +180,10 @@ struct physics_maker {
     /* Makes particle k of this rank, a grain that has just been appended, and its parts, which are appended with ids from
      * `first_id` on. In a rebuild, without copies. */
     void (*join)(const struct physics_context *context, size_t k, int64_t first_id);
+    /* Refuses (user) a grain that the calling program adds during the run, or, where it is NULL, that it deletes any. Collective.
+     * NULL: all may come and go. */
+    bool (*admit)(const struct physics_context *context, const struct physics_grain *grain,
+                  struct error *error);
 };
 
 /* Facet of a physics that remembers pairs: rows at both particles of a pair (kernel/pairs/history.h), by owned particle, of which

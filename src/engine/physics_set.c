@@ -184,6 +184,13 @@ void physics_join(const struct physics_set *set, size_t k, int64_t first_id) {
             active->row->maker->join(&active->context, k, first_id);
 }
 
+bool physics_admit(const struct physics_set *set, const struct physics_grain *grain, struct error *error) {
+    PHYSICS_EACH (active, set, maker)
+        if (active->row->maker->admit && !active->row->maker->admit(&active->context, grain, error))
+            return false;
+    return true;
+}
+
 void physics_lists(struct physics_set *set, const struct interactions *interactions) {
     for (int k = 0; k < set->count; k++)
         for (int i = 0; set->active[k].row->search && i < set->active[k].row->search->interactions; i++)

@@ -61,6 +61,9 @@ double physics_mass(const struct physics_set *set, const struct physics_grain *g
 /* Particle k of this rank has been appended, and becomes what a physics makes of it; ids from first_id on are free. */
 void physics_join(const struct physics_set *set, size_t k, int64_t first_id);
 
+/* False, with a user's error, if a physics refuses that the calling program adds this grain, or (NULL) deletes any. Collective. */
+bool physics_admit(const struct physics_set *set, const struct physics_grain *grain, struct error *error);
+
 /* Gives each physics its lists, after the interactions with their own lists are known
  * (interactions_divide). */
 void physics_lists(struct physics_set *set, const struct interactions *interactions);

@@ -232,6 +232,12 @@ assert '1 GPa' not in str(list(rows))
 EOP
 }
 check 'a solver is set beside explicit runs' solved
+many() { # an explicit run has two keys of each material
+    on 1 "$scree" ablate solved.yaml --error -o many --samples 2 --repeat 1 --members 2 --young 2e5 --duration 0.02 --only skin \
+        --set "materials=[$(for k in $(seq 200); do printf '{name: m%d, density: 2500}, ' "$k"; done){name: glass, density: 2500}]" \
+        --set particles.material=glass --set walls[0].material=glass >said 2>told && grep -q '^scree: reference 3 of 3: explicit 0.2 MPa at 0.15 of stable step, ' told || { cat said told; return 1; }
+}
+check 'of many materials, too' many
 
 # takes_signals PID: it is the program, and has its own way with SIGTERM
 takes_signals() {

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: BSD-3-Clause
 # Bonds between members of bodies: momentum and energy while bonds hold and break, a body of one sphere beside the sphere, bodies that are
-# deleted with their bonds; ranks, indexes and a resume; messages.
+# deleted with their bonds, the stable step; ranks, indexes and a resume; messages.
 set -u
 . "$top_srcdir/tests/app/common.sh"
 cd "$out" || exit 1
@@ -65,4 +65,30 @@ check 'refused: a bond inside of a body' one_body
 echo '1 41' >own.txt # of a centre
 centre() { ! run_scene 1 bonds.yaml refused --set 'bonds.gap=~' --set bonds.list=own.txt 2>said && grep -q 'particle 1 is no grain' said || { cat said; return 1; }; }
 check 'refused: a bond of the centre of a body' centre
+
+# Two bonded cubes that overlap: where the bond stands for their contact, this bounds no step
+cat >cubes.yaml <<'YAML'
+units: none
+box: {lower: [-5, -5, -5], upper: [5, 5, 5]}
+step: {fraction: 1, count: 1}
+contact: {law: hertz}
+materials: [{name: rock, density: 1, young: 1e6, poisson: 0.3}]
+material_pairs: [{restitution: 0.3, friction: 0.5}]
+particles:
+  sources:
+    - {from: single, position: [0, 0, 0], radius: 1}
+    - {from: single, position: [0, 0, 0.95], radius: 1}
+bodies:
+  shapes: [{name: cube, vertices: [0,0,0, 1,0,0, 0,1,0, 1,1,0, 0,0,1, 1,0,1, 0,1,1, 1,1,1], rounding: 0.05, size: drawn, orientation: given, quaternion: [1, 0, 0, 0]}]
+bonds: {gap: 0.2, laws: [{k_n: 200, k_s: 80, radius: 0.6}]}
+output: {checkpoint: {at_end: false}}
+YAML
+step_of() { # DIR SETTING...
+    run_scene 1 cubes.yaml "$@" && sed -n 's/.*"dt": \([^,]*\),.*/\1/p' "$1/report.json" >"$1.step"
+}
+stands() {
+    step_of apart --set particles.sources[1].position=[0,0,1.05] && step_of touch && step_of bonded --set bonds.contacts=false &&
+        paste apart.step touch.step bonded.step | awk '{ print "  steps " $1 ", " $2 " with the contact, " $3 " without"; exit !($2 < 0.9 * $1 && $3 == $1) }'
+}
+check 'a contact for which a bond stands bounds no step' stands
 finish

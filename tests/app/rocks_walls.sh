@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: BSD-3-Clause
 # Rocks and walls that are no planes: energy among boxes, cylinders, rectangles and cones; a box beside six planes; rest on surfaces; corners that
-# cross a surface; a drum that turns, on ranks and after a resume.
+# cross a surface; a lid with a force; a drum that turns, on ranks and after a resume.
 set -u
 . "$top_srcdir/tests/app/common.sh"
 cd "$out" || exit 1
@@ -96,6 +96,16 @@ deep() { run_scene 1 rest.yaml deep --set 'material_pairs=[{k_n: 2000, restituti
     --set step='{dt: 2e-5, count: 10000}' --set observables.every=10000 --set guards.overlap=off \
     --set 'observables.list=[{name: position, id: 1, components: z}, {name: velocity, id: 1, components: z}]' && tail -n 1 deep/observables.csv | awk -F, '{ print "  z " $2 ", speed " $3; exit !($2 > 0.5 && ($3 - 9) ^ 2 < 1e-4) }'; }
 check 'corners come back from behind a surface' deep
+
+# A lid that presses on a cube finds how stiff its contacts are, as with spheres, and comes to its target
+presses() { # SHAPE [RANKS]
+    local lid="{name: lid, $1, motion: [{kind: servo, direction: [0, 0, 1], force: 50, speed_max: 2}]}"
+    rm -rf pressed && run_scene "${2:-1}" rest.yaml pressed --set walls="[{name: floor, shape: plane, point: [0, 0, 0], normal: [0, 0, 1]}, $lid]" --set step.count=10000 --set observables.every=10000 \
+        --set 'observables.list=[{name: wall_force, target: lid, components: z}, {name: wall_velocity, target: lid, components: z}]' &&
+        tail -n 1 pressed/observables.csv | awk -F, '{ print "  force " $2 ", speed " $3; exit !(($2 - 50) ^ 2 < 1e-8 && $3 ^ 2 < 1e-12) }'
+}
+check 'a plane presses on a cube with its force' presses 'shape: plane, point: [0, 0, 1.1], normal: [0, 0, -1]'
+check 'a rectangle, too, on 2 ranks' presses 'shape: rectangle, point: [-3, -3, 1.1], along: [6, 0, 0], across: [0, 6, 0]' 2
 
 # A drum that turns
 cat >drum.yaml <<'YAML'

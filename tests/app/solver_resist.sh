@@ -89,6 +89,8 @@ check 'a bed' run_scene 1 bed.yaml one --set threads=1
 check 'it rests' rests one
 check 'two threads' run_scene 1 bed.yaml two --set threads=2
 check 'the same bits' same one two
+check 'another index' run_scene 1 bed.yaml brute --set threads=1 --set index.name=brute
+check 'the same bits' same one brute
 check 'a run that goes on' run_scene 1 bed.yaml rest --set threads=1 --resume one/checkpoint-1200.h5
 check 'the same bits' same one rest
 check '3 ranks' run_scene 3 bed.yaml three --set threads=1

@@ -343,7 +343,35 @@ static void hard_contacts_feel_the_force_of_the_caller(void **test) {
     team_finish(team);
 }
 
+/* Adds a grain, or deletes the first one: the fluid that has the grains refuses both on all ranks. */
+static void a_fluid_keeps_its_grains(void **test) {
+    static const char water[] = "units: none\nthreads: 1\nbox: {lower: [0, 0, 0], upper: [16, 12, 0], "
+                                "dimension: 2, periodic: true}\nstep: {dt: 0.25, count: 5, force: true}\n"
+                                "contact: {law: hooke}\nmaterials: [{name: a, density: 1}]\n"
+                                "material_pairs: [{k_n: 1, restitution: 1}]\n"
+                                "particles: {from: single, position: [8, 6, 0], radius: 3}\n"
+                                "fluid: {spacing: 1, density: 1, viscosity: 0.2, grains: free}\n";
+    struct team *team = *test;
+    const struct scree_particle grain = {.position = {2, 2, 0}, .radius = 1};
+    struct scree_options options = {.communicator = &team->comm.handle};
+    struct scree_error error;
+    struct scree_simulation *s = scree_create("scene", water, &options, &error);
+    if (s) {
+        step(team, s, 1);
+        team_expect(team, !scree_add(s, &grain, 1, &error) && strstr(error.text, "inserted into a fluid"),
+                    "added: %s", error.text);
+        step(team, s, 1);
+        scree_delete(s, (int64_t[]){1}, 1);
+        team_expect(team, !scree_step(s, 1, &error) && strstr(error.text, "grains out of the fluid"),
+                    "deleted: %s", error.text);
+    } else {
+        team_expect(team, strstr(error.text, "built without PETSc") != NULL, "%s", error.text);
+    }
+    scree_destroy(&s);
+    team_finish(team);
+}
+
 TEAM_MAIN(library, team_case(ranks_together_get_what_one_gets_alone), team_case(a_report_tells_of_the_steps),
           team_case(a_checkpoint_goes_on_to_the_bit), team_case(particles_come_go_and_are_moved),
           team_case(stages_follow_each_other_on_all_ranks_alike), team_case(mistakes_and_guards_are_told),
-          team_case(hard_contacts_feel_the_force_of_the_caller))
+          team_case(hard_contacts_feel_the_force_of_the_caller), team_case(a_fluid_keeps_its_grains))

@@ -88,6 +88,14 @@ static bool particle_suits(const struct scree_simulation *simulation, const stru
                      mass);
 }
 
+/* Asks the physics whether a particle may come. */
+static bool is_admitted(const struct scree_simulation *simulation, const struct scree_particle *p,
+                        struct error *error) {
+    const struct physics_grain grain = {
+        .material = p->material, .radius = p->radius, .density = density_of(simulation, p), .variant = -1};
+    return physics_admit(&simulation->state->physics, &grain, error);
+}
+
 bool scree_add(struct scree_simulation *simulation, const struct scree_particle *particles, size_t count,
                struct scree_error *error) {
     struct error own = {0};
@@ -97,7 +105,8 @@ bool scree_add(struct scree_simulation *simulation, const struct scree_particle 
         return scree_parts_tell(&own, error);
     const struct box *box = &simulation->state->box;
     for (size_t k = 0; k < count; k++)
-        if (!particle_suits(simulation, &particles[k], k, &own))
+        if (!particle_suits(simulation, &particles[k], k, &own) ||
+            !is_admitted(simulation, &particles[k], &own))
             return scree_parts_tell(&own, error);
     for (size_t k = 0; k < count; k++) {
         const struct scree_particle *p = &particles[k];
@@ -123,6 +132,8 @@ bool scree_add(struct scree_simulation *simulation, const struct scree_particle 
 
 void scree_delete(struct scree_simulation *simulation, const int64_t *ids, size_t count) {
     if (simulation == NULL || simulation->state == NULL || ids == NULL)
+        return;
+    if (count > 0 && !physics_admit(&simulation->state->physics, NULL, &simulation->error))
         return;
     for (size_t k = 0; k < count; k++)
         sources_take(&simulation->state->sources.given, ids[k]);

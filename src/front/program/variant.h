@@ -11,8 +11,9 @@ enum {
     VARIANTS_MAX = 96,
     VARIANT_CHANGES_MAX = 8,
     VARIANT_TEXT_MAX = 200,
-    VARIANT_SET_MAX = 1024,
-    VARIANT_SETTINGS_MAX = 64
+    VARIANT_SETTINGS_MAX =
+        2 * LAW_MATERIALS_MAX + 8, /* of an explicit run: two keys a material, and some more */
+    VARIANT_SET_MAX = 40 * VARIANT_SETTINGS_MAX
 };
 
 enum variant_kind {

@@ -46,6 +46,10 @@ bool place_part(const struct bodies *bodies, uint64_t seed, const struct physics
                 struct physics_part *part);
 void place_join(struct bodies *bodies, const struct physics_context *context, size_t i, int64_t first_id);
 
+/* Refuses (user) a grain that would become a rock too large for the box. */
+bool place_admit(const struct bodies *bodies, const struct box *box, const struct physics_grain *grain,
+                 struct error *error);
+
 /* Turns the grains of this rank that are to be bodies into bodies and their members: `fill` of struct physics. */
 bool place_all(struct bodies *bodies, const struct physics_context *context,
                const struct physics_share *share, struct error *error);

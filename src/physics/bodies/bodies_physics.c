@@ -133,6 +133,11 @@ static void join(const struct physics_context *context, size_t k, int64_t first_
     place_join(context->self, context, k, first_id);
 }
 
+static bool admit(const struct physics_context *context, const struct physics_grain *grain,
+                  struct error *error) {
+    return grain == NULL || place_admit(context->self, context->box, grain, error);
+}
+
 static void rebuilt(const struct physics_context *context) {
     struct bodies *bodies = context->self;
     bodies_links_make(bodies, context);
@@ -326,7 +331,7 @@ static const struct physics_pass passes[] = {{.name = "bodies",
                                               .needed = has_rocks,
                                               .whole = sum}};
 
-static const struct physics_maker maker = {.fill = fill, .part = part, .join = join};
+static const struct physics_maker maker = {.fill = fill, .part = part, .join = join, .admit = admit};
 static const struct physics_rows rows = {.of = rows_of, .components = ROCKS_COMPONENTS};
 static const struct physics_joints joints = {.joined = joined,
                                              .joins = has_rocks,

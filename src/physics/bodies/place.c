@@ -271,6 +271,20 @@ void place_join(struct bodies *bodies, const struct physics_context *context, si
         body_join(bodies, context, i, number, first_id);
 }
 
+bool place_admit(const struct bodies *bodies, const struct box *box, const struct physics_grain *grain,
+                 struct error *error) {
+    int first;
+    const int entry = place_entry(bodies->options, grain->material, grain->radius);
+    const int shapes = place_shapes(bodies->options, entry, &first);
+    for (int s = first; s < first + shapes; s++)
+        if (bodies->clump[s].core.corners > 0 && !fits_box(box, ball_of(bodies, s, grain->radius)))
+            return error_set(error, ERROR_USER,
+                             "the rock '%s' has a ball of radius %.6g, as large as a periodic edge of the "
+                             "box: it would meet itself",
+                             bodies->entry[s]->name, ball_of(bodies, s, grain->radius));
+    return true;
+}
+
 static bool check_insertion(const struct bodies *bodies, const struct physics_context *context, int k,
                             struct error *error) {
     const struct insertion_options *insertion = &context->scene->insertion[k];

@@ -2,6 +2,7 @@
 /* Brings rocks to their places, and finds the features of their contacts. Read rocks_ends.h first. */
 #include "physics/bodies/rocks_ends.h"
 #include "base/vector.h"
+#include "engine/physics_set.h"
 #include "kernel/particles/material.h"
 #include "kernel/particles/spin.h"
 #include "physics/bodies/rotor.h"
@@ -50,6 +51,15 @@ static struct posed posed_of(const struct rocks_scene *scene, uint32_t i) {
                           .rounding = scene->particles->state[i].radius};
 }
 
+/* True if another physics, as that of bonds, stands for the contact of a pair. */
+static bool joined(const struct rocks_scene *scene, const struct rocks_pair *pair) {
+    PHYSICS_EACH (active, scene->context->set, joints)
+        if (active->row != &bodies_physics && active->row->joints->joins(&active->context) &&
+            active->row->joints->joined(&active->context, pair->end[0], pair->end[1]))
+            return true;
+    return false;
+}
+
 bool rocks_ends_make(const struct rocks_scene *scene, const struct rocks_pair *pair,
                      struct rocks_ends *ends) {
     const struct particle_state *a = &scene->particles->state[pair->end[0]], *b = NULL;
@@ -70,7 +80,8 @@ bool rocks_ends_make(const struct rocks_scene *scene, const struct rocks_pair *p
         b = &scene->particles->state[pair->end[1]];
         inverse += b->inverse_mass;
         rocks_apart(pair, scene->particles, scene->list, ends->apart);
-        if (!(vector_dot(ends->apart, ends->apart) < (a->radius + b->radius) * (a->radius + b->radius)))
+        if (!(vector_dot(ends->apart, ends->apart) < (a->radius + b->radius) * (a->radius + b->radius)) ||
+            joined(scene, pair))
             return false;
         ends->posed[1] = posed_of(scene, pair->end[1]);
         ends->ball = fmin(a->radius, b->radius);

@@ -36,7 +36,7 @@ struct rocks_ends {
 /* Fills what contacts share, and brings all rocks to their orientations. Opens its own team. */
 void rocks_scene_make(struct rocks *rocks, const struct physics_context *context, struct rocks_scene *scene);
 
-/* Fills both ends; false: they cannot touch, or nothing moves them. Any thread. */
+/* Fills both ends; false: they cannot touch, another physics stands for their contact, or nothing moves them. Any thread. */
 bool rocks_ends_make(const struct rocks_scene *scene, const struct rocks_pair *pair, struct rocks_ends *ends);
 
 /* Finds the features of a pair's contacts, group by group; returns their number. Any thread, once a pair, with a probe of the

@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* The contacts of rocks in a step: points, the law at each point, forces and torques. Read rocks.h first. */
 #include "physics/bodies/rocks_ends.h"
-#include "engine/physics_set.h"
 #include "base/vector.h"
 #include "physics/bodies/rotor.h"
 #include "physics/grains/grains.h"
@@ -141,15 +140,6 @@ static void push_act(struct rocks_pair *pair, const struct rocks_ends *ends, con
     force_add_virial(pair->sums.virial, 1, branch, force);
 }
 
-/* True if another physics, as that of bonds, stands for the contact of a pair. */
-static bool joined(const struct rocks_scene *scene, const struct rocks_pair *pair) {
-    PHYSICS_EACH (active, scene->context->set, joints)
-        if (active->row != &bodies_physics && active->row->joints->joins(&active->context) &&
-            active->row->joints->joined(&active->context, pair->end[0], pair->end[1]))
-            return true;
-    return false;
-}
-
 /* A point of one of the contacts of a pair. */
 struct chosen {
     int contact, point;
@@ -220,6 +210,8 @@ static void contacts_act(const struct rocks_scene *scene, struct rocks_pair *pai
     }
     for (int c = 0; c < contacts->count; c++) {
         push_act(pair, ends, &contacts->touch[c], contacts->spring[c]);
+        if (pair->wall >= 0 && contacts->spring[c] > 0)
+            pair->sums.impedance += sqrt(ends->mass * contacts->spring[c] / contacts->touch[c].overlap);
         pair->sums.normal += contacts->energy[c];
         if (contacts->touch[c].overlap <= pair->sums.overlap * ends->ball)
             continue;
@@ -238,8 +230,8 @@ static void pair_act(const struct rocks_scene *scene, struct rocks_pair *pair, s
     memset(pair->force, 0, sizeof pair->force);
     memset(pair->torque, 0, sizeof pair->torque);
     pair->sums = (struct rocks_sums){0};
-    const bool touches = (pair->wall >= 0 || !joined(scene, pair)) && rocks_ends_make(scene, pair, &ends) &&
-                         rocks_features(scene, pair, &ends, probe, &features) > 0;
+    const bool touches =
+        rocks_ends_make(scene, pair, &ends) && rocks_features(scene, pair, &ends, probe, &features) > 0;
     if (!touches) {
         pair->points = 0;
         return;
@@ -288,7 +280,7 @@ static void wall_push(const struct rocks_scene *scene, struct walls *walls, cons
         place.normal[d] = pair->normal[d];
         place.at[d] = scene->particles->state[pair->end[0]].x[d] - shift[d] - arm[d] / square;
     }
-    walls_push(walls, 0, &place, pair->force);
+    walls_push(walls, 0, &place, pair->force, pair->sums.impedance);
 }
 
 void rocks_act(struct bodies *bodies, const struct physics_context *context) {

@@ -18,7 +18,8 @@ struct rocks_memory {
 struct rocks_sums {
     double normal, tangential, taken; /* energies */
     double virial[6];
-    double overlap; /* over the smaller radius of both balls */
+    double overlap;   /* over the smaller radius of both balls */
+    double impedance; /* of a wall (struct wall_push) */
 };
 
 /* A pair of balls of which one at least has a rock, or one and a wall. */
@@ -62,9 +63,8 @@ struct rocks {
     int32_t *stand_of; /* of each particle: its number in `stand`; -1: no rock */
     size_t stands;
     struct rocks_stand *stand;
-    double (*corner)[3]; /* of all rocks */
-    struct solid dot;    /* the core of grains that are no rocks */
-    bool walls_pushed;
+    double (*corner)[3];      /* of all rocks */
+    struct solid dot;         /* the core of grains that are no rocks */
     struct history_rows rows; /* by owned particle, as long as `carried`; */
     bool carried;             /* the rows are those of the present, or of a checkpoint */
 };

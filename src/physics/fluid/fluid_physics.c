@@ -213,7 +213,8 @@ static const struct timer_stage stages[] = {
     {.name = "preconditioner", .help = "preconditioners of these matrices made", .use = TIMER_WORK},
     {.name = "solve", .help = "solves for velocity and pressure of a fluid", .use = TIMER_WORK}};
 
-static const struct physics_maker maker = {.moving = fluid_motion_kinds, .fill = lattice_fill_run};
+static const struct physics_maker maker = {
+    .moving = fluid_motion_kinds, .fill = lattice_fill_run, .admit = grain_admit};
 static const struct physics_shown shown = {
     .stages = sizeof stages / sizeof stages[0], .stage = stages, .report = solver_watch_report};
 

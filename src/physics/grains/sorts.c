@@ -9,9 +9,6 @@
 #include <math.h>
 #include <string.h>
 
-/* Sizes of an insertion that are looked at. */
-enum { SORTS_SIZES = 17 };
-
 /* A sphere of a sort. */
 struct sorts_sphere {
     double radius, mass;
@@ -92,13 +89,29 @@ static void sorts_enter(const struct physics_context *c, struct sorts *sorts, st
         }
 }
 
-/* Adds the sorts of an insertion, from its smallest to its largest size. */
-static void sorts_insert(const struct physics_context *c, struct sorts *sorts,
-                         const struct insertion_options *options) {
-    double radius[2], edge[2][3], v2 = 0, sigma = options->velocity_sigma, density = options->density;
+int sorts_entering(const struct physics_context *c, const struct insertion_options *options,
+                   struct physics_grain grain[SORTS_SIZES]) {
+    double radius[2], density = options->density;
+    bool made = false; /* spheres that stay as they are lie between their ends */
     if (!(density > 0))
         density = c->scene->material[options->material].density;
     sizes_bounds(&options->sizes, &radius[0], &radius[1]);
+    for (int k = 0; k < SORTS_SIZES; k++) {
+        double part = (double)k / (SORTS_SIZES - 1), size = (1 - part) * radius[0] + part * radius[1];
+        grain[k] =
+            (struct physics_grain){options->material, size, particles_density(c->box, size, density), 0, 0};
+        made = made || physics_parts(c->set, &grain[k]) > 0;
+    }
+    if (made)
+        return SORTS_SIZES;
+    grain[1] = grain[SORTS_SIZES - 1];
+    return 2;
+}
+
+/* Adds the sorts of an insertion. */
+static void sorts_insert(const struct physics_context *c, struct sorts *sorts,
+                         const struct insertion_options *options) {
+    double edge[2][3], v2 = 0, sigma = options->velocity_sigma;
     region_bounds(&options->region, edge[0], edge[1]);
     for (int d = 0; d < 3; d++) {
         edge[0][d] = fmin(edge[0][d] - c->box->origin[d], c->box->edge[d]);
@@ -110,14 +123,8 @@ static void sorts_insert(const struct physics_context *c, struct sorts *sorts,
     double fall = fall_from(c, edge[1], edge[0]);
     const struct sorts_sphere sphere = {.start = v2, .fall = fall};
     struct physics_grain grain[SORTS_SIZES];
-    bool made = false; /* spheres that stay as they are lie between their ends */
-    for (int k = 0; k < SORTS_SIZES; k++) {
-        double part = (double)k / (SORTS_SIZES - 1), size = (1 - part) * radius[0] + part * radius[1];
-        grain[k] =
-            (struct physics_grain){options->material, size, particles_density(c->box, size, density), 0, 0};
-        made = made || physics_parts(c->set, &grain[k]) > 0;
-    }
-    for (int k = 0; k < SORTS_SIZES; k += made ? 1 : SORTS_SIZES - 1)
+    int grains = sorts_entering(c, options, grain);
+    for (int k = 0; k < grains; k++)
         sorts_enter(c, sorts, grain[k], &sphere);
 }
 

@@ -23,6 +23,14 @@ struct sorts {
 /* Collects the sorts of all ranks. Collective. */
 void sorts_collect(const struct physics_context *context, struct sorts *sorts);
 
+/* Sizes of an insertion that are looked at. */
+enum { SORTS_SIZES = 17 };
+
+/* The grains of an insertion, from the smallest to the largest, with the first variant of what they become. Returns their number, up to
+ * SORTS_SIZES. */
+int sorts_entering(const struct physics_context *context, const struct insertion_options *options,
+                   struct physics_grain grain[SORTS_SIZES]);
+
 /* The material of a sort. */
 int sorts_material(int sort);
 

@@ -41,7 +41,7 @@ double hard_contacts_separate(const struct hard_pairs *pairs, const struct hard_
     for (int d = 0; d < 3; d++)
         apart[d] = (j->x[d] - i->x[d]) + shift[d];
     *distance = sqrt(vector_dot(apart, apart));
-    return *distance - i->radius - j->radius;
+    return *distance - (i->radius + j->radius);
 }
 
 /* Gives row r an arm if one of its spheres is carried by a body, or all rows have one. `sphere`: its particles, UINT32_MAX a wall. */

@@ -6,6 +6,9 @@
 
 enum { HERTZ_STEPS = 20, SCALE_STEPS = 40, COUPLE_STEPS = 40 };
 
+/* Force and couple of a visit are found to this part of the normal impulse: dissipation's search for an angle has no more digits. */
+static const double couple_enough = 1e-8;
+
 /* A contact in its own frame. */
 struct framed {
     double axis[3][3]; /* normal and two tangents */
@@ -142,7 +145,7 @@ void hard_general_wish(struct hard_row *row, double dt, const struct hard_body *
             hard_softness_of(&next, row->hertz > 0.0 ? hard_shear_soft(&next) : row->soft_t);
         hard_resist_couple(&next, &end[0], &end[1], &soft, answer);
         hard_change(&next, &end[0], &end[1], answer);
-        if (change_of(&next, &last) <= 1e-14 * answer->p)
+        if (change_of(&next, &last) <= couple_enough * answer->p)
             break;
     }
     row->deep = next.deep;

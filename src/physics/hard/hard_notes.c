@@ -20,10 +20,11 @@ struct hard_price hard_price_of(const struct physics_context *context) {
     double kappa = hard->solver.terms.kappa, dt = context->clock->dt;
     double g = sqrt(vector_dot(context->scene->gravity, context->scene->gravity));
     double speed = grains_of(context->set)->stable.speed_most;
-    return (struct hard_price){
-        .news = sqrt(kappa) * 2.0 * hard->smallest / dt,
-        .overlap = (1.0 + hard->heavy / hard->light) * g * dt * dt / (kappa * hard->smallest),
-        .impact = speed * dt * cbrt(hard->heavy / hard->light) / (sqrt(kappa) * hard->smallest)};
+    return (struct hard_price){.news = sqrt(kappa) * 2.0 * hard->sizes.smallest / dt,
+                               .overlap = (1.0 + hard->sizes.heavy / hard->sizes.light) * g * dt * dt /
+                                          (kappa * hard->sizes.smallest),
+                               .impact = speed * dt * cbrt(hard->sizes.heavy / hard->sizes.light) /
+                                         (sqrt(kappa) * hard->sizes.smallest)};
 }
 
 void hard_report(const struct physics_context *context, struct report_part *part) {
@@ -90,6 +91,17 @@ void hard_seen(const struct physics_context *context, uint64_t first, struct not
                   news_least);
 }
 
+static size_t contact_bytes(const struct hard_solver *solver) {
+    size_t bytes = sizeof(struct hard_row) + sizeof(struct hard_memory);
+    if (solver->options.method == HARD_NEWTON)
+        bytes += sizeof(struct hard_newton_row) + sizeof(hard_block);
+    if (solver->terms.resists)
+        bytes += sizeof(struct hard_resist) + sizeof(struct hard_couple);
+    if (solver->terms.open || solver->clumps.links)
+        bytes += sizeof(struct hard_arm);
+    return bytes;
+}
+
 void hard_print(const struct physics_context *context, FILE *file) {
     const struct hard *hard = context->self;
     const struct hard_solver *solver = &hard->solver;
@@ -113,8 +125,5 @@ void hard_print(const struct physics_context *context, FILE *file) {
                 "radius\n",
                 price.impact);
     }
-    fprintf(file, "  memory       %zu bytes a contact\n",
-            sizeof(struct hard_row) + sizeof(struct hard_memory) +
-                (solver->options.method == HARD_NEWTON ? sizeof(struct hard_newton_row) + sizeof(hard_block)
-                                                       : 0));
+    fprintf(file, "  memory       %zu bytes a contact\n", contact_bytes(solver));
 }

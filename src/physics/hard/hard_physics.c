@@ -9,7 +9,6 @@
 #include "kernel/particles/kinds.h"
 #include "kernel/particles/material.h"
 #include "kernel/particles/spin.h"
-#include "data/scene/sizes.h"
 
 /* The longest step: a grain moves by this part of the smallest radius at the expected speed, and a free fall from rest by this
  * part of sqrt(r/g). The default step is a fraction of it (step.fraction). */
@@ -41,7 +40,7 @@ static void *create(const struct physics_context *context) {
     hard_contacts_create(&solver->contacts, context->threads);
     for (int w = 0; w < scene->walls; w++)
         hard->wall_material[w] = scene->wall[w].material;
-    hard->smallest = INFINITY;
+    hard->sizes.smallest = INFINITY;
     return hard;
 }
 
@@ -179,42 +178,16 @@ static void solve(const struct physics_context *context) {
     grains->taken += sums->taken;
 }
 
-/* Finds the smallest radius, and the masses of the lightest and the heaviest grain. */
-static void sizes_find(const struct physics_context *context, struct hard *hard) {
-    double least[2] = {INFINITY, INFINITY}, heavy = 0.0, smallest, largest;
-    for (size_t k = 0; k < context->particles->owned; k++) {
-        const struct particle_state *state = &context->particles->state[k];
-        if (!(state->inverse_mass > 0.0))
-            continue;
-        least[0] = fmin(least[0], state->radius);
-        least[1] = fmin(least[1], 1.0 / state->inverse_mass);
-        heavy = fmax(heavy, 1.0 / state->inverse_mass);
-    }
-    for (int k = 0; k < context->scene->insertions; k++) {
-        const struct insertion_options *insertion = &context->scene->insertion[k];
-        struct physics_part part;
-        sizes_bounds(&insertion->sizes, &smallest, &largest);
-        const struct physics_grain grain = {insertion->material, smallest, 1.0, 0, -1};
-        for (int n = 0; physics_part(context->set, &grain, n, &part); n++)
-            least[0] = fmin(least[0], part.radius);
-    }
-    comm_min(context->comm, least, 2);
-    comm_max(context->comm, &heavy, 1);
-    hard->smallest = least[0];
-    hard->light = least[1];
-    hard->heavy = heavy;
-}
-
 static double limit(const struct physics_context *context, double most) {
     struct hard *hard = context->self;
     double speed = grains_of(context->set)->stable.speed_most;
     double g = sqrt(vector_dot(context->scene->gravity, context->scene->gravity));
-    if (isinf(hard->smallest))
-        sizes_find(context, hard);
+    if (isinf(hard->sizes.smallest))
+        hard->sizes = hard_sizes_find(context);
     if (speed > 0.0)
-        most = fmin(most, move_most * hard->smallest / speed);
+        most = fmin(most, move_most * hard->sizes.smallest / speed);
     if (g > 0.0)
-        most = fmin(most, fall_most * sqrt(hard->smallest / g));
+        most = fmin(most, fall_most * sqrt(hard->sizes.smallest / g));
     return most;
 }
 

@@ -202,7 +202,7 @@ static void walls_give(const struct hard_solver *solver, const struct hard_input
             force[d] = (row->p * row->normal[d] + row->q[d]) / input->duration;
             result->lost -= force[d] * input->duration * place->velocity[d];
         }
-        walls_push(input->scene.walls, 0, place, force);
+        walls_push(input->scene.walls, 0, place, force, 0); /* no servos */
     }
 }
 

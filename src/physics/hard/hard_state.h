@@ -12,14 +12,19 @@
 struct error;
 struct physics_context;
 
+/* Over all ranks, of what is free to move and of what insertions will bring: the smallest radius of a sphere, and the least and the
+ * largest mass of a single grain or a whole body. */
+struct hard_sizes {
+    double smallest, light, heavy; /* INFINITY, INFINITY, 0: there are none */
+};
+
 struct hard {
     const struct physics_context *context;
     struct hard_solver solver;
     struct hard_result last; /* of the last step */
     int wall_material[WALLS_MAX];
-    double smallest;     /* radius of free grains, over all ranks; INFINITY: none yet */
-    double light, heavy; /* their masses, insertions left out */
-    double stiffness;    /* kappa / dt^2 of rigid contacts now, which follows the scene's; 0: no step yet */
+    struct hard_sizes sizes;
+    double stiffness; /* kappa / dt^2 of rigid contacts now, which follows the scene's; 0: no step yet */
     /* Since this program began. */
     uint64_t refined, steps,
         iterations; /* solves by Newton's method that took steps, its steps, those of its linear solver */
@@ -30,6 +35,9 @@ struct hard {
     char directory[FILE_PATH_MAX]; /* of the run */
     int64_t written;               /* step of the last file of output.contact_problems; -1: none */
 };
+
+/* Collective. */
+struct hard_sizes hard_sizes_find(const struct physics_context *context);
 
 /* How contacts answer; allocates terms->pair. */
 void hard_terms_make(struct hard_terms *terms, const struct physics_context *context,

@@ -142,6 +142,27 @@ static void test_a_simulation_refuses_what_its_header_does_not_allow(void **stat
     assert_null(scree_create(NULL, NULL, NULL, &error));
 }
 
+static void test_a_rock_too_large_for_the_box_is_refused(void **state) {
+    (void)state;
+    static const char rocks[] =
+        "units: none\nbox: {lower: [0, 0, 0], upper: [9, 9, 9], periodic: true}\n"
+        "step: {dt: 0.001, count: 5}\ncontact: {law: hooke}\nmaterials: [{name: a, density: 1}]\n"
+        "material_pairs: [{k_n: 1, restitution: 1}]\n"
+        "particles: {from: single, position: [4, 4, 4], radius: 1}\n"
+        "bodies: {shapes: [{name: rock, random: {corners: 12}}]}\n";
+    struct scree_error error;
+    struct scree_particle grain = {.position = {1, 1, 1}, .radius = 4.6};
+    struct scree_simulation *simulation = scree_create(NULL, rocks, NULL, &error);
+    if (simulation == NULL)
+        fail_msg("%s", error.text);
+    assert_false(scree_add(simulation, &grain, 1, &error));
+    assert_non_null(
+        strstr(error.text, "the rock 'rock' has a ball of radius 4.6, as large as a periodic edge"));
+    grain.radius = 0.5;
+    assert_true(scree_add(simulation, &grain, 1, &error) && scree_step(simulation, 1, &error));
+    scree_destroy(&simulation);
+}
+
 static void test_lengths_beyond_numbers_are_refused(void **state) {
     (void)state;
     static struct cloud c;
@@ -164,4 +185,5 @@ static void test_lengths_beyond_numbers_are_refused(void **state) {
 TEST_MAIN(library, cmocka_unit_test(test_every_index_finds_all_pairs),
           cmocka_unit_test(test_nonsense_is_refused_with_a_reason),
           cmocka_unit_test(test_a_simulation_refuses_what_its_header_does_not_allow),
+          cmocka_unit_test(test_a_rock_too_large_for_the_box_is_refused),
           cmocka_unit_test(test_lengths_beyond_numbers_are_refused))

@@ -84,18 +84,33 @@ static bool motion_suits(const struct physics_context *context, size_t k, struct
         group->name);
 }
 
-/* Grains may not come, and may not go with a part of the surface of the fluid. */
-static bool numbers_suit(const struct physics_context *context, struct error *error) {
-    static const char stay[] =
-        "would take grains out of the fluid that resolves them; allowed beside resolved grains: ";
-    const struct scene *scene = context->scene;
-    const struct box *box = context->box;
+static const char come[] = "grains cannot be inserted into a fluid; not built yet";
+static const char stay[] =
+    "would take grains out of the fluid that resolves them; allowed beside resolved grains: ";
+
+static bool any_resolved(const struct physics_context *context) {
     bool any = false;
-    if (scene->insertions > 0)
-        return scene_fail(scene, error, "insertions",
-                          "grains cannot be inserted into a fluid; not built yet");
     for (size_t k = 0; !any && k < context->particles->owned; k++)
         any = resolved(context, k);
+    return any;
+}
+
+bool grain_admit(const struct physics_context *context, const struct physics_grain *grain,
+                 struct error *error) {
+    if (grain)
+        return error_set(error, ERROR_USER, "%s", come);
+    if (any_resolved(context))
+        error_set(error, ERROR_USER, "a deletion %snone", stay);
+    return comm_agree(context->comm, error);
+}
+
+/* Grains may not come, and may not go with a part of the surface of the fluid. */
+static bool numbers_suit(const struct physics_context *context, struct error *error) {
+    const struct scene *scene = context->scene;
+    const struct box *box = context->box;
+    const bool any = any_resolved(context);
+    if (scene->insertions > 0)
+        return scene_fail(scene, error, "insertions", "%s", come);
     if (any && scene->deletions > 0)
         return scene_fail(scene, error, "deletions", "%snone", stay);
     for (int d = 0; any && d < box->dimension; d++)

@@ -28,6 +28,11 @@ bool grain_passes(const struct fluid_options *options);
  * error on all ranks. Collective. */
 bool grain_grains_suit(const struct physics_context *context, struct error *error);
 
+/* `admit` of struct physics_maker: no grain comes, and none goes where the fluid resolves any. */
+struct physics_grain;
+bool grain_admit(const struct physics_context *context, const struct physics_grain *grain,
+                 struct error *error);
+
 /* Steps of the grains in one of the fluid; true if the fluid makes one in this step of the grains; the length of its step. */
 uint64_t grain_every(const struct physics_context *context);
 bool grain_due(const struct physics_context *context);

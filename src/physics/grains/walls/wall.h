@@ -269,9 +269,10 @@ typedef void walls_visitor(void *context, const struct wall_place *place);
 void walls_visit(const struct walls *walls, const struct particles *particles, int thread, double range,
                  walls_visitor *visitor, void *context);
 
-/* Adds a force on the wall at such a place to the loads of the evaluation that walls_finish ends. Many threads at once, with
- * different `thread`. */
-void walls_push(struct walls *walls, int thread, const struct wall_place *place, const double force[3]);
+/* Adds a force on the wall at such a place to the loads of the evaluation that walls_finish ends, and the impedance of what
+ * pushes there (struct wall_push), which servos read. Many threads at once, with different `thread`. */
+void walls_push(struct walls *walls, int thread, const struct wall_place *place, const double force[3],
+                double impedance);
 
 /* A plane as it stands now, box-relative, its normal towards the particles; false: the wall has another shape. Any thread. */
 bool walls_plane(const struct walls *walls, int wall, double point[3], double normal[3]);

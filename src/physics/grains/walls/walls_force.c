@@ -154,17 +154,17 @@ static void apply_to_wall(const struct wall_task *task, int k) {
     task->scratch->load[w][WALL_POWER] += power;
 }
 
-/* Adds the impedance of contact k to that of its wall, rounded to the wall's unit: sums are exact then. */
+/* Adds the impedance of contact k to that of its wall. */
 static void impede(const struct wall_task *task, int k) {
-    static const double most = 0x1p32;
     const struct force_batch *b = &task->scratch->batch->contact;
     int w = task->scratch->batch->entry[k].key.wall;
-    double unit = task->walls->wall[w].unit, push = 0.0;
-    for (int d = 0; d < 3 && unit > 0.0; d++)
+    double push = 0.0;
+    if (!(task->walls->wall[w].unit > 0.0))
+        return;
+    for (int d = 0; d < 3; d++)
         push += b->walk.out[FORCE_OUT + d][k] * b->normal[d][k];
     if (push > 0.0 && b->overlap[k] > 0.0)
-        task->scratch->impedance[w] +=
-            unit * fmin(rint(sqrt(b->mass[k] * push / b->overlap[k]) / unit), most);
+        walls_impede(task->walls, task->scratch, w, sqrt(b->mass[k] * push / b->overlap[k]));
 }
 
 /* Forces and torques of contact k on the particle and on the wall. */

@@ -146,6 +146,10 @@ static inline void walls_follow(struct wall *wall) {
     wall->centre_now = wall_transform_point(&wall->pose, wall->centre);
 }
 
+/* Adds the impedance of a contact to that of its wall, rounded to the wall's unit: sums are exact then. Nothing for walls that
+ * need none. Any thread, with its own scratch. */
+void walls_impede(const struct walls *walls, struct wall_scratch *scratch, int wall, double impedance);
+
 /* The velocity of the surface beside that of the wall at a point with this normal: along the surface. */
 static inline struct law_vector walls_slip(const struct wall *wall, struct law_vector at,
                                            struct law_vector normal) {

@@ -3,6 +3,7 @@
  * first. */
 #include "physics/grains/walls/walls_parts.h"
 #include "base/memory.h"
+#include <math.h>
 #include <string.h>
 
 /* Work on the particles in this step, with the mean of the forces before and after it. */
@@ -54,6 +55,13 @@ void walls_close(struct walls *walls, double dt, bool mine) {
             load[c] = exact_value(&walls->exact[w][c]);
         set_load(walls, w, load, dt);
     }
+}
+
+void walls_impede(const struct walls *walls, struct wall_scratch *scratch, int wall, double impedance) {
+    static const double most = 0x1p32;
+    const double unit = walls->wall[wall].unit;
+    if (unit > 0.0)
+        scratch->impedance[wall] += unit * fmin(rint(impedance / unit), most);
 }
 
 void walls_finish(struct walls *walls, const struct force_context *context, struct force_sums *sums) {

@@ -51,7 +51,8 @@ void walls_visit(const struct walls *walls, const struct particles *particles, i
     }
 }
 
-void walls_push(struct walls *walls, int thread, const struct wall_place *place, const double force[3]) {
+void walls_push(struct walls *walls, int thread, const struct wall_place *place, const double force[3],
+                double impedance) {
     const struct wall *wall = &walls->wall[place->wall];
     struct law_vector f = wall_vector(force), at = wall_vector(place->at);
     struct law_vector torque = law_cross(law_add(at, -1.0, wall->centre_now), f);
@@ -64,6 +65,7 @@ void walls_push(struct walls *walls, int thread, const struct wall_place *place,
         else
             scratch->load[place->wall][c] += load[c];
     }
+    walls_impede(walls, scratch, place->wall, impedance);
 }
 
 bool walls_plane(const struct walls *walls, int wall, double point[3], double normal[3]) {
