@@ -20,11 +20,11 @@ check_PROGRAMS += \
 	%D%/kernel/particles/test_classes %D%/kernel/particles/test_particles %D%/mpi/test_balance \
 	%D%/mpi/test_checkpoint %D%/mpi/test_checkpoint_damage %D%/mpi/test_comm %D%/mpi/test_copies \
 	%D%/mpi/test_domain %D%/mpi/test_dump %D%/mpi/test_exchange %D%/mpi/test_fluid_matrices \
-	%D%/mpi/test_fluid_nodes %D%/mpi/test_ghosts %D%/mpi/test_ghosts_sums %D%/mpi/test_groups %D%/mpi/test_h5md \
-	%D%/mpi/test_h5md_read %D%/mpi/test_h5md_run %D%/mpi/test_library %D%/mpi/test_migrate %D%/mpi/test_mover \
-	%D%/mpi/test_observables %D%/mpi/test_projection %D%/mpi/test_regions %D%/mpi/test_report \
-	%D%/mpi/test_scene_ranks %D%/mpi/test_shadows %D%/mpi/test_shear %D%/mpi/test_solve \
-	%D%/mpi/test_solve_interface %D%/mpi/test_stress %D%/physics/bodies/shapes/test_solid \
+	%D%/mpi/test_fluid_nodes %D%/mpi/test_fluid_surroundings %D%/mpi/test_ghosts %D%/mpi/test_ghosts_sums \
+	%D%/mpi/test_groups %D%/mpi/test_h5md %D%/mpi/test_h5md_read %D%/mpi/test_h5md_run %D%/mpi/test_library \
+	%D%/mpi/test_migrate %D%/mpi/test_mover %D%/mpi/test_observables %D%/mpi/test_projection \
+	%D%/mpi/test_regions %D%/mpi/test_report %D%/mpi/test_scene_ranks %D%/mpi/test_shadows %D%/mpi/test_shear \
+	%D%/mpi/test_solve %D%/mpi/test_solve_interface %D%/mpi/test_stress %D%/physics/bodies/shapes/test_solid \
 	%D%/physics/bodies/shapes/test_stiff %D%/physics/bodies/shapes/test_touch %D%/physics/bodies/test_bodies \
 	%D%/physics/bodies/test_clump %D%/physics/bonds/test_bonds %D%/physics/bonds/test_bonds_links \
 	%D%/physics/drag/test_drag %D%/physics/fluid/carried/test_fluid_layer \
