@@ -14,6 +14,21 @@ results() {
     fi
 }
 
+# quick_or_folder [--quick] [DIR]: sets `quick`, yes or no, and `out`, the folder of the results, which it makes
+quick_or_folder() {
+    quick=no
+    out=
+    for argument; do
+        case $argument in
+            --quick) quick=yes ;;
+            -*) echo "run.sh: $argument: allowed is --quick" >&2; exit 2 ;;
+            *) out=$argument ;;
+        esac
+    done
+    out=${out:-$(results out)}
+    mkdir -p "$out"
+}
+
 find_scree() {
     if [ -n "${SCREE:-}" ]; then
         :

@@ -10,17 +10,7 @@
 set -e
 here=$(cd "$(dirname "$0")" && pwd)
 . "$here/../common.sh"
-quick=no
-out=
-for word in "$@"; do
-    case $word in
-        --quick) quick=yes ;;
-        -*) echo "run.sh: $word: allowed is --quick" >&2; exit 2 ;;
-        *) out=$word ;;
-    esac
-done
-out=${out:-$(results out)}
-mkdir -p "$out"
+quick_or_folder "$@"
 
 # mix NAME [FLAG...]
 mix() {

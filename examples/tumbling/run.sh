@@ -10,17 +10,7 @@
 set -e
 here=$(cd "$(dirname "$0")" && pwd)
 . "$here/../common.sh"
-quick=no
-out=
-for argument; do
-    case $argument in
-        --quick) quick=yes ;;
-        -*) echo "run.sh: $argument: allowed is --quick" >&2; exit 2 ;;
-        *) out=$argument ;;
-    esac
-done
-out=${out:-$(results out)}
-mkdir -p "$out"
+quick_or_folder "$@"
 set --
 [ $quick = no ] || set -- --set fluid.spacing=0.05 --set box.upper='[2, 2.4, 0]' --set 'walls[3].point=[0, 2.4, 0]' --set step.count=1100 --set output.dump=~ \
     --set 'particles.sources[0].position=[1, 2.1, 0]' --set 'particles.sources[1].position=[0.999, 1.8, 0]'

@@ -10,17 +10,7 @@
 set -e
 here=$(cd "$(dirname "$0")" && pwd)
 . "$here/../common.sh"
-quick=no
-out=
-for argument; do
-    case $argument in
-        --quick) quick=yes ;;
-        -*) echo "run.sh: $argument: allowed is --quick" >&2; exit 2 ;;
-        *) out=$argument ;;
-    esac
-done
-out=${out:-$(results out)}
-mkdir -p "$out"
+quick_or_folder "$@"
 set --
 [ $quick = no ] || set -- --set box.upper='[48, 56, 0]' --set 'walls[1].point=[48, 0, 0]' --set 'walls[3].point=[0, 56, 0]' --set particles.count=10 \
     --set particles.region.upper='[48, 56, 0]' --set particles.region.lower='[0, 8, 0]' --set step.count=45000 --set output.dump=~

@@ -44,6 +44,28 @@ skip() {
     echo "skipped: $*"
 }
 
+# needs_petsc SCENE WHAT: the end of a script that tries a fluid in a build without PETSc, which must say so with status 2
+needs_petsc() {
+    "$scree" check --all "$1" >said 2>&1
+    local status=$?
+    [ $status != 0 ] || return 0
+    skip "$2: $(cat said)"
+    says_so() { [ $status = 2 ] && grep -q 'built without PETSc' said; }
+    check 'a build without PETSc says so, with status 2' says_so
+    finish
+}
+
+# rows_close DIR DIR BOUND: the last rows of observables, eight or more, agree to a part of their size; what is no number in one is none in both
+rows_close() {
+    paste -d , <(tail -n 1 "$1/observables.csv") <(tail -n 1 "$2/observables.csv") | awk -F , -v bound="$3" '{ m = NF / 2
+        for (k = 1; k <= m; k++) {
+            if ($k == $(k + m)) continue
+            d = $k - $(k + m); a = $k < 0 ? -$k : $k
+            if ($k ~ /nan/ || $(k + m) ~ /nan/ || !(d * d <= (bound * (a + 0.1)) ^ 2)) { print "  column", k, $k, $(k + m); bad = 1 }
+        }
+        exit bad || m < 8 }'
+}
+
 # take SCENE FEATURE...: `flags` gets the settings of features, lines of `sets[FEATURE]`, or of `sets[FEATURE-SCENE]` where this is there
 take() {
     local scene=$1 feature line

@@ -27,11 +27,7 @@ step: {count: 40, dt: 2e-4}
 observables: {every: 20, list: [{name: velocity, id: 1, components: z}, {name: fluid_velocity, components: z}, {name: grain_drag, components: z}]}
 output: {checkpoint: {every: 20}}
 YAML
-if ! "$scree" check --all dust.yaml >said 2>&1; then
-    grep -q 'built without PETSc' said || { cat said; check "a build without PETSc says so" false; }
-    skip "grains that a fluid does not resolve: $(cat said)"
-    finish
-fi
+needs_petsc dust.yaml 'grains that a fluid does not resolve'
 
 # balance DIR WITHIN: momentum of the grain and of the fluid against the impulse of weight less buoyancy
 balance() {

@@ -34,12 +34,7 @@ observables: {every: 1, list: [{name: fluid}]}
 output: {checkpoint: {every: 6}, dump: {every: 12, fields: [id, velocity, pressure, divergence, vorticity, drag]}}
 YAML
 
-if ! "$scree" check --all channel.yaml >said 2>&1; then
-    grep -q 'built without PETSc' said || { cat said; check "a build without PETSc says so" false; }
-    skip "fluid: $(cat said)"
-    check "a build without PETSc names PETSc and status 2" grep -q PETSc said
-    finish
-fi
+needs_petsc channel.yaml 'fluid'
 
 # The first frame, by id: velocity, pressure, divergence, vorticity, viscous forces, and the row of observables.
 frame() { # DIR

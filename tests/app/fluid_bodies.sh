@@ -32,12 +32,7 @@ observables: {every: 1, list: [{name: fluid_velocity, components: x}, {name: dra
 YAML
 sed '/name: plates/c\  - {name: lower, shape: plane, point: [0, 0, 0], normal: [0, 1, 0]}\n  - {name: upper, shape: plane, point: [0, 1, 0], normal: [0, -1, 0]}' plates.yaml >planes.yaml
 
-if ! "$scree" check --all planes.yaml >said 2>&1; then
-    grep -q 'built without PETSc' said || { cat said; check "a build without PETSc says so" false; }
-    skip "bodies in a fluid: $(cat said)"
-    check "a build without PETSc names PETSc and status 2" grep -q PETSc said
-    finish
-fi
+needs_petsc planes.yaml 'bodies in a fluid'
 
 run() { # RANKS SCENE SETTING...
     local ranks=$1 scene=$2

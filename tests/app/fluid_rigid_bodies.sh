@@ -22,23 +22,14 @@ step: {dt: 0.25, count: 20, force: true}
 observables: {every: 20, list: [{name: velocity, id: 1}, {name: position, id: 1}, {name: energy_kinetic}, {name: energy_balance}]}
 output: {checkpoint: {at_end: false}}
 YAML
-if ! "$scree" check --all box.yaml >said 2>&1; then
-    grep -q 'built without PETSc' said || { cat said; check "a build without PETSc says so" false; }
-    skip "rigid bodies in a fluid: $(cat said)"
-    finish
-fi
+needs_petsc box.yaml 'rigid bodies in a fluid'
 
-# close DIR DIR BOUND: the last rows of observables agree to a part of their size
-close() {
-    paste -d , <(tail -n 1 "$1/observables.csv") <(tail -n 1 "$2/observables.csv") | awk -F , -v bound="$3" '{ m = NF / 2
-        for (k = 1; k <= m; k++) { d = $k - $(k + m); a = $k < 0 ? -$k : $k; if ($k != "nan" && !(d * d <= (bound * (a + 0.1)) ^ 2)) { print "  column", k, $k, $(k + m); bad = 1 } } exit bad || m < 8 }'
-}
 calc() { awk "BEGIN { printf \"%.12g\", $1 }"; }
 
 one='bodies={clumps: [{name: one, spheres: [{centre: [0, 0, 0], radius: 1}], orientation: given, quaternion: [1, 0, 0, 0]}]}'
 alike() { # SETTING...
     rm -rf grain body
-    run_scene 1 box.yaml grain --set threads=1 "$@" && run_scene 1 box.yaml body --set threads=1 "$@" --set "$one" && close grain body 1e-3
+    run_scene 1 box.yaml grain --set threads=1 "$@" && run_scene 1 box.yaml body --set threads=1 "$@" --set "$one" && rows_close grain body 1e-3
 }
 check "a clump of one sphere sinks as the sphere" alike
 check "a light one rises as the sphere" alike --set 'materials[0].density=0.05'
@@ -108,7 +99,7 @@ again() { # RANKS BOUND FLAG...
     local ranks=$1 bound=$2
     shift 2
     rm -rf other
-    run_scene "$ranks" bed.yaml other --set threads=1 "$@" && close bed other "$bound"
+    run_scene "$ranks" bed.yaml other --set threads=1 "$@" && rows_close bed other "$bound"
 }
 check "a resume gives the same bits" eval 'again 1 0 --resume bed/checkpoint-240.h5'
 check "the same on 2 ranks, to the tolerance" again 2 5e-3
@@ -133,7 +124,7 @@ turns() {
             --set 'bodies={clumps: [{name: bar, spheres: [{centre: [0, 0, 0], radius: 1}, {centre: [1, 0, 0], radius: 1}, {centre: [2, 0, 0], radius: 1}, {centre: [-1, 0, 0], radius: 1}, {centre: [-2, 0, 0], radius: 1}], orientation: given, quaternion: [1, 0, 0, 0]}]}' ||
             return
     done
-    awk -v t="$(last_of bar1 drag_bar_torque_z)" -v e="$(last_of bar1 fluid_energy)" 'BEGIN { printf "  torque %.4g, energy %.4g\n", t, e; exit !(t < -1 && e > 1e-4) }' && close bar1 bar2 2e-3
+    awk -v t="$(last_of bar1 drag_bar_torque_z)" -v e="$(last_of bar1 fluid_energy)" 'BEGIN { printf "  torque %.4g, energy %.4g\n", t, e; exit !(t < -1 && e > 1e-4) }' && rows_close bar1 bar2 2e-3
 }
 check "a bar that turns stirs the fluid, on 1 and 2 ranks" turns
 
@@ -157,6 +148,6 @@ resists=(--set contact.rolling=spring --set material_pairs[0].rolling_friction=0
 held() { leans 1 held "${resists[@]}" && within "$(last_of held/observables.csv energy_rotational)" 0 1e-8 && leans 1 loose && ! within "$(last_of loose/observables.csv energy_rotational)" 0 1e-4; }
 check "a body rests by its resistance to rolling" held
 check "the same on 2 ranks" leans 2 held2 "${resists[@]}"
-check "to the tolerance" close held held2 1e-5
+check "to the tolerance" rows_close held held2 1e-5
 
 finish

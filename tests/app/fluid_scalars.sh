@@ -28,12 +28,7 @@ observables: {every: 1, list: [{name: scalar}]}
 output: {checkpoint: {every: 2}, dump: {every: 4, fields: [id, scalar_1, scalar_2, scalar_3]}}
 YAML
 
-if ! "$scree" check dye.yaml >said 2>&1; then
-    grep -q 'built without PETSc' said || { cat said; check "a build without PETSc says so" false; }
-    skip "fluid: $(cat said)"
-    check "a build without PETSc names PETSc and status 2" grep -q PETSc said
-    finish
-fi
+needs_petsc dye.yaml 'fluid'
 
 dyes() { # DIR: id and scalars of the last frame
     awk '/^ITEM: TIMESTEP/ { n = 0 } !/^ITEM/ && NF == 5 { line[++n] = $1 " " $3 " " $4 " " $5 } END { for (k = 1; k <= n; k++) print line[k] }' "$1/dump.lammpstrj" | sort -n

@@ -17,7 +17,7 @@ material_pairs: [{k_n: 3e4, restitution: 1}]
 walls:
   - {name: room, shape: box, lower: [-5, -5, -5], upper: [5, 5, 5]}
   - {name: post, shape: cylinder, point: [-3, -3, 0], axis: [0, 0, 1], radius: 0.7, inside: false}
-  - {name: stub, shape: cylinder, point: [3, 3, 0], axis: [0, 1, 0.3], radius: 0.9, length: 3, inside: false}
+  - {name: peg, shape: cylinder, point: [3, 3, 0], axis: [0, 1, 0.3], radius: 0.9, length: 3, inside: false}
   - {name: shelf, shape: rectangle, point: [-1, 1, -2], along: [2.5, 0, 0.5], across: [0, 3, 0]}
   - {name: peak, shape: cone, point: [2, -3, -3], axis: [0, 0, 1], radius: 1.5, radius_end: 0.4, length: 2}
 particles: {from: random, count: 30, sizes: {law: uniform, min: 0.5, max: 0.7}, velocity_sigma: 4}
@@ -30,7 +30,7 @@ keeps() { # NAME BOUND RANKS SETTING...: the change of the energy
     run_scene "$3" room.yaml "$1" "${@:4}" && awk -F, -v bound="$2" 'NR == 2 { e = $2 + $3 + $4 } NR == 3 { e = ($2 + $3 + $4) / e - 1
         printf "  energy %.2g, of rotation %g\n", e, $3; exit !(e * e < bound * bound && $3 > 10) }' "$1/observables.csv"
 }
-check 'energy in a room with a post, a stub, a shelf and a peak' keeps room 2e-3 1
+check 'energy in a room with a post, a peg, a shelf and a peak' keeps room 2e-3 1
 check 'on 3 ranks, too' keeps room3 2e-3 3
 
 # One rock in six planes, or in a box: the same impacts of corners
