@@ -29,6 +29,12 @@ quick_or_folder() {
     mkdir -p "$out"
 }
 
+# flow_frames DUMP DIR: each frame of a dump of discs in a fluid as DIR/discs-STEP.txt and DIR/fluid-STEP.txt, with place, speed and radius
+flow_frames() {
+    awk -v out="$2" '/^ITEM: TIMESTEP/ { getline; frame = $1 } /^ITEM: ATOMS/ { for (k = 3; k <= NF; k++) at[$k] = k - 2; reading = 1; next } /^ITEM/ { reading = 0 }
+        reading && NF > 4 && $at["kind"] < 2 { print $at["x"], $at["y"], sqrt($at["vx"] ^ 2 + $at["vy"] ^ 2), $at["radius"] >(out "/" ($at["kind"] == 0 ? "discs" : "fluid") "-" frame ".txt") }' "$1"
+}
+
 find_scree() {
     if [ -n "${SCREE:-}" ]; then
         :

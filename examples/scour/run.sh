@@ -56,8 +56,7 @@ awk '/^ITEM: ATOMS/ { for (k = 3; k <= NF; k++) at[$k] = k - 2; reading = 1; del
         printf "{\"surface\": %.2f, \"scour\": %.2f, \"dune\": %.2f, \"dune_at\": %d}\n", mean, (mean - low) / 6, (most - mean) / 6, place }' \
     "$out/stream/dump.lammpstrj" | tee "$out/results.jsonl"
 if [ $quick = no ] && command -v gnuplot >/dev/null; then
-    awk -v out="$out" '/^ITEM: TIMESTEP/ { getline; frame = $1 } /^ITEM: ATOMS/ { for (k = 3; k <= NF; k++) at[$k] = k - 2; reading = 1; next } /^ITEM/ { reading = 0 }
-        reading && NF > 4 { file = out "/" ($at["kind"] == 0 ? "discs" : "fluid") "-" frame ".txt"; if ($at["kind"] < 2) print $at["x"], $at["y"], sqrt($at["vx"] ^ 2 + $at["vy"] ^ 2), $at["radius"] >file }' "$out/stream/dump.lammpstrj"
+    flow_frames "$out/stream/dump.lammpstrj" "$out"
     gnuplot -e "out='$out/'" "$here/picture.gp"
     rm "$out"/discs-*.txt "$out"/fluid-*.txt
     echo "drawn: $out/scour.png" >&2

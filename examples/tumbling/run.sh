@@ -24,8 +24,7 @@ awk -F , 'NR > 1 { x = $2 - $5; y = $3 - $6; gap = sqrt(x * x + y * y) - 0.2
     END { printf "{\"faster\": %.3f, \"touch\": %s, \"overtakes\": %s, \"gap\": %.4f, \"time\": %g}\n", ratio, kiss == "" ? "null" : kiss, tumble == "" ? "null" : tumble, last, $1 }' \
     "$out/observables.csv" | tee "$out/results.jsonl"
 if [ $quick = no ] && command -v gnuplot >/dev/null; then
-    awk -v out="$out" '/^ITEM: TIMESTEP/ { getline; frame = $1 } /^ITEM: ATOMS/ { for (k = 3; k <= NF; k++) at[$k] = k - 2; reading = 1; next } /^ITEM/ { reading = 0 }
-        reading && NF > 4 { file = out "/" ($at["id"] < 3 ? "discs" : "fluid") "-" frame ".txt"; print $at["x"], $at["y"], sqrt($at["vx"] ^ 2 + $at["vy"] ^ 2), $at["radius"] >file }' "$out/dump.lammpstrj"
+    flow_frames "$out/dump.lammpstrj" "$out"
     gnuplot -e "out='$out/'" "$here/picture.gp"
     rm "$out"/discs-*.txt "$out"/fluid-*.txt
     echo "drawn: $out/tumbling.png" >&2

@@ -20,8 +20,7 @@ awk -F , 'NR > 1 { if ($2 > most) most = $2; energy = $2; height = $4; force = -
     END { printf "{\"energy\": %.3g, \"height\": %.3f, \"floor\": %.4f, \"time\": %g}\n", energy / most, height, force / (mass * 0.6 * 0.0833333333), $1 }' \
     "$out/observables.csv" | tee "$out/results.jsonl"
 if [ $quick = no ] && command -v gnuplot >/dev/null; then
-    awk -v out="$out" '/^ITEM: TIMESTEP/ { getline; frame = $1 } /^ITEM: ATOMS/ { for (k = 3; k <= NF; k++) at[$k] = k - 2; reading = 1; next } /^ITEM/ { reading = 0 }
-        reading && NF > 4 { file = out "/" ($at["kind"] == 0 ? "discs" : "fluid") "-" frame ".txt"; if ($at["kind"] < 2) print $at["x"], $at["y"], sqrt($at["vx"] ^ 2 + $at["vy"] ^ 2), $at["radius"] >file }' "$out/dump.lammpstrj"
+    flow_frames "$out/dump.lammpstrj" "$out"
     gnuplot -e "out='$out/'" "$here/picture.gp"
     rm "$out"/discs-*.txt "$out"/fluid-*.txt
     echo "drawn: $out/water-bed.png" >&2
