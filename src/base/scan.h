@@ -24,4 +24,17 @@ size_t scan_counts_narrow(const uint32_t *counts, size_t n, uint32_t *offsets);
  * only counts. n is below 2^32. Threads as in scan_counts. */
 size_t scan_marked(const uint8_t *mark, size_t n, uint32_t *list);
 
+/* The first k < n with sorted[k] >= value, by halves; n: there is none. `sorted` ascends. */
+static inline size_t scan_first(const uint32_t *sorted, size_t n, size_t value) {
+    size_t low = 0, high = n;
+    while (low < high) {
+        size_t middle = low + (high - low) / 2;
+        if (sorted[middle] < value)
+            low = middle + 1;
+        else
+            high = middle;
+    }
+    return low;
+}
+
 #endif

@@ -117,5 +117,19 @@ static void works_inside_a_parallel_region(void **state) {
     assert_int_equal(wrong, 0);
 }
 
+static void finds_the_first_that_is_no_less(void **state) {
+    (void)state;
+    static const uint32_t sorted[] = {0, 2, 2, 2, 5, 9, UINT32_MAX};
+    enum { COUNT = sizeof sorted / sizeof sorted[0] };
+    for (size_t n = 0; n <= COUNT; n++)
+        for (size_t value = 0; value < 12; value++) {
+            size_t expected = 0;
+            while (expected < n && sorted[expected] < value)
+                expected++;
+            assert_int_equal(scan_first(sorted, n, value), expected);
+        }
+    assert_int_equal(scan_first(sorted, COUNT, (size_t)UINT32_MAX + 1), COUNT);
+}
+
 TEST_MAIN(scan, cmocka_unit_test(equals_the_plain_loop), cmocka_unit_test(totals_pass_32_bits),
-          cmocka_unit_test(works_inside_a_parallel_region))
+          cmocka_unit_test(works_inside_a_parallel_region), cmocka_unit_test(finds_the_first_that_is_no_less))

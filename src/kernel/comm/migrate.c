@@ -91,17 +91,7 @@ static void sort_carried(struct migrate_rows *rows) {
 
 /* The first row of particle k, and how many it carries. */
 static size_t first_row(const struct migrate_rows *rows, uint32_t k) {
-    if (rows->start)
-        return rows->start[k];
-    size_t first = 0, last = rows->count;
-    while (first < last) {
-        size_t middle = first + (last - first) / 2;
-        if (rows->carrier[middle] < k)
-            first = middle + 1;
-        else
-            last = middle;
-    }
-    return first;
+    return rows->start ? rows->start[k] : scan_first(rows->carrier, rows->count, k);
 }
 
 static size_t rows_of(const struct migrate_rows *rows, uint32_t k) {

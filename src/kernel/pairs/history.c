@@ -56,16 +56,9 @@ const struct history_part *history_part_of(const struct history *history, const 
 }
 
 const double *history_record(const struct history *history, const struct history_part *part, uint32_t pair) {
-    size_t low = 0, high = part ? part->count : 0;
-    while (low < high) {
-        size_t middle = low + (high - low) / 2;
-        if (part->pair[middle] < pair)
-            low = middle + 1;
-        else
-            high = middle;
-    }
-    bool found = part && low < part->count && part->pair[low] == pair;
-    return found ? part->value + low * (size_t)history->components : NULL;
+    size_t at = part ? scan_first(part->pair, part->count, pair) : 0;
+    bool found = part && at < part->count && part->pair[at] == pair;
+    return found ? part->value + at * (size_t)history->components : NULL;
 }
 
 void history_flip(struct history *history) {

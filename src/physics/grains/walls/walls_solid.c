@@ -2,6 +2,7 @@
 /* Finds what a solid near a wall may touch. Read wall_solid.h first. */
 #include "physics/grains/walls/wall_solid.h"
 #include "base/memory.h"
+#include "base/scan.h"
 #include "physics/grains/walls/walls_touch.h"
 #include <string.h>
 
@@ -13,15 +14,8 @@ static void store(struct law_vector from, double to[3]) {
 
 /* The candidate that is a particle; walls->candidates: none. */
 static size_t candidate_of(const struct walls *walls, size_t particle) {
-    size_t low = 0, high = walls->candidates;
-    while (low < high) {
-        size_t middle = low + (high - low) / 2;
-        if (walls->particle[middle] < particle)
-            low = middle + 1;
-        else
-            high = middle;
-    }
-    return low < walls->candidates && walls->particle[low] == particle ? low : walls->candidates;
+    size_t k = scan_first(walls->particle, walls->candidates, particle);
+    return k < walls->candidates && walls->particle[k] == particle ? k : walls->candidates;
 }
 
 bool walls_group_next(const struct walls *walls, size_t particle, struct wall_group *group) {
