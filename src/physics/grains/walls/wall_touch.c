@@ -40,21 +40,50 @@ static void rim_nearest(const struct wall_triangle *triangle, struct law_vector 
     near->distance = sqrt(best);
 }
 
+/* How far a point of the plane lies inside of the triangle. */
+static double inside_of(const struct wall_triangle *triangle, struct law_vector foot) {
+    double outside = -INFINITY;
+    for (int k = 0; k < 3; k++)
+        outside = law_max(outside, -law_dot(triangle->inward[k], difference(foot, triangle->corner[k])));
+    return -outside;
+}
+
+static double height_of(const struct wall_patch *patch, struct law_vector x) {
+    return law_dot(patch->normal, difference(x, patch->point));
+}
+
+double wall_touch_inside(const struct wall_mesh *mesh, int32_t t, struct law_vector x) {
+    const struct wall_patch *patch = &mesh->patch[mesh->triangle[t].patch];
+    return inside_of(&mesh->triangle[t], law_add(x, -height_of(patch, x), patch->normal));
+}
+
+/* From a centre at this height to the plane of a patch. */
+static struct law_vector face_normal(const struct wall_patch *patch, double height) {
+    return law_scale(height < 0.0 ? 1.0 : -1.0, patch->normal);
+}
+
+struct wall_touch wall_touch_face(const struct wall_mesh *mesh, int32_t t, struct law_vector x) {
+    const struct wall_patch *patch = &mesh->patch[mesh->triangle[t].patch];
+    double height = height_of(patch, x);
+    return (struct wall_touch){.kind = WALL_TOUCH_FACE,
+                               .feature = mesh->triangle[t].patch,
+                               .triangle = t,
+                               .distance = fabs(height),
+                               .normal = face_normal(patch, height)};
+}
+
 struct wall_nearest wall_touch_nearest(const struct wall_mesh *mesh, int32_t t, struct law_vector x,
                                        double reach) {
     const struct wall_triangle *triangle = &mesh->triangle[t];
     const struct wall_patch *patch = &mesh->patch[triangle->patch];
-    double height = law_dot(patch->normal, difference(x, patch->point));
+    double height = height_of(patch, x);
     struct wall_nearest near = {.kind = WALL_TOUCH_FACE, .feature = triangle->patch, .triangle = t};
     near.distance = fabs(height);
     /* corners lie within the tolerance of the patch's plane */
     if (near.distance >= reach + mesh->tolerance)
         return near;
     near.to = law_scale(-height, patch->normal);
-    struct law_vector foot = law_add(x, 1.0, near.to);
-    double outside = 0.0;
-    for (int k = 0; k < 3; k++)
-        outside = law_max(outside, -law_dot(triangle->inward[k], difference(foot, triangle->corner[k])));
+    double outside = law_max(0.0, -inside_of(triangle, law_add(x, 1.0, near.to)));
     if (outside <= mesh->slack)
         return near;
     double least = sqrt(height * height + outside * outside) - 2.0 * mesh->tolerance;
@@ -137,6 +166,20 @@ static size_t smooth(struct wall_touch *touch, size_t taken, struct wall_nearest
     return left;
 }
 
+/* The contact at the nearest point of a triangle of this patch. */
+static struct wall_touch contact_of(const struct wall_patch *patch, const struct wall_nearest *one) {
+    struct wall_touch touch = {.kind = one->kind,
+                               .feature = one->feature,
+                               .triangle = one->triangle,
+                               .image = one->image,
+                               .distance = one->distance};
+    if (one->kind == WALL_TOUCH_FACE)
+        touch.normal = face_normal(patch, -law_dot(one->to, patch->normal));
+    else
+        touch.normal = direction_of(one->to, law_scale(-1.0, patch->normal), &touch.distance);
+    return touch;
+}
+
 size_t wall_touch_resolve(const struct wall_mesh *mesh, struct wall_nearest *near, size_t count,
                           double radius, struct wall_touch *touch) {
     double tolerance = fmin(mesh->tolerance, 1e-3 * radius);
@@ -149,11 +192,7 @@ size_t wall_touch_resolve(const struct wall_mesh *mesh, struct wall_nearest *nea
             continue;
         if (one->kind != WALL_TOUCH_FACE && !nearest_of_all(mesh, near, count, one, touch_rounding * radius))
             continue;
-        struct law_vector behind = law_scale(-1.0, mesh->patch[mesh->triangle[one->triangle].patch].normal);
-        touch[taken] = (struct wall_touch){
-            .kind = one->kind, .feature = one->feature, .triangle = one->triangle, .image = one->image};
-        touch[taken].normal = direction_of(one->to, behind, &touch[taken].distance);
-        taken++;
+        touch[taken++] = contact_of(&mesh->patch[mesh->triangle[one->triangle].patch], one);
     }
     return taken > 1 ? smooth(touch, taken, near) : taken;
 }
@@ -163,10 +202,9 @@ struct law_vector wall_touch_toward(const struct wall_mesh *mesh, int32_t featur
     struct law_vector instead = {0.0, 0.0, -1.0};
     size_t f = (size_t)feature;
     if (f < mesh->patches) {
-        const struct wall_patch *patch = &mesh->patch[f];
-        double height = law_dot(patch->normal, difference(x, patch->point));
+        double height = height_of(&mesh->patch[f], x);
         *distance = fabs(height);
-        return law_scale(height < 0.0 ? 1.0 : -1.0, patch->normal);
+        return face_normal(&mesh->patch[f], height);
     }
     if (f >= mesh->patches + mesh->edges)
         return direction_of(difference(mesh->vertex[f - mesh->patches - mesh->edges], x), instead, distance);

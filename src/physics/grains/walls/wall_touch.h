@@ -56,6 +56,12 @@ struct wall_nearest {
 struct wall_nearest wall_touch_nearest(const struct wall_mesh *mesh, int32_t t, struct law_vector x,
                                        double reach);
 
+/* How far a foot in the plane of triangle t lies inside of the triangle; below 0 outside. x in the body's frame. Any thread. */
+double wall_touch_inside(const struct wall_mesh *mesh, int32_t t, struct law_vector x);
+
+/* The contact of a sphere whose centre x lies above triangle t with the triangle's patch, wherever it is. Any thread. */
+struct wall_touch wall_touch_face(const struct wall_mesh *mesh, int32_t t, struct law_vector x);
+
 /* Second stage: makes contacts of the `count` nearest points of triangles (all of those that may touch; order
  * is changed) that are nearer than the radius; `touch` has room for `count`. Normals are in the body's frame.
  * Returns the number of contacts. Any thread. */

@@ -107,7 +107,9 @@ size_t walls_find(const struct walls *walls, size_t k, size_t first, size_t *las
     *last = first + 1;
     while (*last < walls->first[k + 1] && walls->piece[*last].wall == w)
         ++*last;
-    size_t count = walls_touch(walls, walls->piece + first, *last - first, x, radius, scratch);
+    const struct wall_piece *piece = walls->piece + first;
+    size_t count = piece->face ? walls_touch_face(walls, piece, x, radius, scratch)
+                               : walls_touch(walls, piece, *last - first, x, radius, scratch);
     if (count > 1 && walls->wall[w].image_count > 1)
         sort_images(scratch->touch, count);
     if (walls->law->history_components > 0 && count > 0)

@@ -87,17 +87,44 @@ bool walls_at_rest(const struct particles *particles, size_t i) {
     return omega == NULL || is_zero(omega[i]);
 }
 
+/* `face` of the first of the pieces of a wall near x (walls_parts.h); nothing moves farther than `margin` until the next
+ * rebuild. */
+static uint8_t face_of(const struct walls *walls, const struct wall_piece *piece, size_t pieces,
+                       struct law_vector x, double margin) {
+    const struct wall *wall = &walls->wall[piece->wall];
+    if (wall->mesh == NULL)
+        return 0;
+    struct law_vector here =
+        walls_into_body(wall, law_add(x, -1.0, walls_shift(walls, piece->wall, piece->image)));
+    uint8_t face = 0;
+    for (size_t k = 0; k < pieces; k++) {
+        if (piece[k].image != piece->image ||
+            wall->mesh->triangle[piece[k].triangle].patch != wall->mesh->triangle[piece->triangle].patch)
+            return 0;
+        if (k < UINT8_MAX && wall_touch_inside(wall->mesh, piece[k].triangle, here) > margin)
+            face = (uint8_t)(k + 1);
+    }
+    return face;
+}
+
 /* All pieces near particle i; counts only without `out`. */
 static size_t near_particle(const struct walls *walls, const struct particles *particles,
                             const struct size_classes *classes, size_t i, struct wall_piece *out,
                             int32_t *number) {
     const struct particle_state *state = &particles->state[i];
-    double reach = state->radius + classes->margin[particles->size_class[i]][classes->count];
+    double margin = classes->margin[particles->size_class[i]][classes->count];
+    struct law_vector x = wall_vector(state->x);
     size_t count = 0;
     bool fixed = !walls->fixed_too && walls_at_rest(particles, i);
-    for (int w = 0; w < walls->count; w++)
-        if (!fixed || walls->wall[w].options.motions > 0)
-            count += walls_near(walls, w, wall_vector(state->x), reach, out ? out + count : NULL, number);
+    for (int w = 0; w < walls->count; w++) {
+        if (fixed && walls->wall[w].options.motions == 0)
+            continue;
+        struct wall_piece *place = out ? out + count : NULL;
+        size_t found = walls_near(walls, w, x, state->radius + margin, place, number);
+        if (place && found > 0)
+            place->face = face_of(walls, place, found, x, margin);
+        count += found;
+    }
     return count;
 }
 

@@ -8,7 +8,11 @@
  * ... first[k + 1]. A contact belongs to a piece at least, so the same numbers lay out its records of
  * history: at most as many as it has pieces. Two buffers of records: an evaluation reads the one that is
  * `now` and writes the other; as a candidate's records lie at a fixed place, evaluations need no order and no
- * thread has a buffer of its own. */
+ * thread has a buffer of its own.
+ *
+ * Most spheres at a mesh lie above one triangle, farther from its rim than they move until the next rebuild, with no other patch
+ * near. Their contact is that with the plane of the patch: the first piece says so (`face`), and nothing is resolved. The bits
+ * are those of the long way. */
 #ifndef SCREE_WALLS_WALLS_PARTS_H
 #define SCREE_WALLS_WALLS_PARTS_H
 
@@ -51,6 +55,8 @@ struct wall {
 struct wall_piece {
     int32_t triangle; /* MESH */
     uint8_t wall, image;
+    uint8_t
+        face; /* of the first piece of a wall: 1 + the place among them of the only triangle whose face may be touched */
 };
 
 /* Key of a record's contact. WALL_IMAGE_LOST: the image is no longer known, as a rebuild may have wrapped the

@@ -71,6 +71,21 @@ size_t walls_touch(const struct walls *walls, const struct wall_piece *piece, si
     return touch_mesh(walls, piece, pieces, x, radius, scratch);
 }
 
+size_t walls_touch_face(const struct walls *walls, const struct wall_piece *piece, struct law_vector x,
+                        double radius, struct wall_scratch *scratch) {
+    const struct wall *wall = &walls->wall[piece->wall];
+    struct law_vector here =
+        walls_into_body(wall, law_add(x, -1.0, walls_shift(walls, piece->wall, piece->image)));
+    struct wall_touch touch = wall_touch_face(wall->mesh, piece[piece->face - 1].triangle, here);
+    if (!(touch.distance < radius))
+        return 0;
+    touch.image = piece->image;
+    if (wall->moving)
+        touch.normal = wall_turn(wall->pose.rotation, touch.normal);
+    scratch->touch[0] = touch;
+    return 1;
+}
+
 static struct law_vector unit(struct law_vector a, struct law_vector instead) {
     double length = sqrt(law_dot(a, a));
     return length > 0.0 ? law_scale(1.0 / length, a) : instead;

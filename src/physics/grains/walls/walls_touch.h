@@ -13,6 +13,10 @@ struct wall_cylinder walls_cylinder(const struct wall *wall);
 size_t walls_touch(const struct walls *walls, const struct wall_piece *piece, size_t pieces,
                    struct law_vector x, double radius, struct wall_scratch *scratch);
 
+/* The same for a particle at x whose first piece has a `face`. */
+size_t walls_touch_face(const struct walls *walls, const struct wall_piece *piece, struct law_vector x,
+                        double radius, struct wall_scratch *scratch);
+
 /* The normal half a step ago. */
 struct law_vector walls_half_normal(const struct wall *wall, const struct wall_touch *touch,
                                     const struct wall_sphere *sphere, double dt);

@@ -329,6 +329,57 @@ static void test_one_of_two_ends(void **state) {
     world_close(&w);
 }
 
+/* A turning cube with plates and spheres inside. With `wide` margins each sphere has other sides near, so that each contact is resolved
+ * among all triangles. */
+static void faces_open(struct world *w, const char *file, bool wide) {
+    struct wall_options wall = hand_mesh(file);
+    unsigned seed = 9;
+    wall.motions = 1;
+    wall.motion[0] = (struct wall_motion){
+        .kind = WALL_ROTATE, .stop = INFINITY, .point = {4, 4, 4}, .direction = {0, 0.6, 0.8}, .rate = 2.0};
+    world_open(w, hand_box(8.0), hand_law(LAW_HERTZ, 0.7, 0.3), &wall, 1, 2);
+    for (int i = 0; i < 2000; i++) {
+        struct particle_state *s = world_add(w, 4, 4, 4, 0.1 + 0.2 * hand_random(&seed), 0.3);
+        for (int d = 0; d < 3; d++)
+            s->x[d] += 5.8 * (hand_random(&seed) - 0.5);
+    }
+    world_rebuild(w, NULL);
+    double margin = w->classes.margin[0][w->classes.count];
+    for (int c = 0; wide && c < w->classes.count; c++)
+        w->classes.margin[c][w->classes.count] = 8.0;
+    walls_build(w->walls, w->particles, &w->classes);
+    for (size_t i = 0; i < w->particles->owned; i++) {
+        double to[3] = {hand_random(&seed) - 0.5, hand_random(&seed) - 0.5, hand_random(&seed) - 0.5};
+        for (int d = 0; d < 3; d++)
+            w->particles->state[i].x[d] += 0.9 * margin / hand_length(to) * to[d];
+    }
+}
+
+/* Spheres above one triangle, and all of them resolved among all triangles: the same bits, wherever spheres go until the next
+ * rebuild. */
+static void test_faces(void **state) {
+    (void)state;
+    char file[64];
+    struct hand_text t = text_new();
+    struct world a, b;
+    text_cube(&t, 1.0, 7.0, 2);
+    for (int k = 0; k < 5; k++) /* plates, whose rims have no other side near */
+        text_plate(&t, (double[3]){2, 2, 2 + k}, (double[3]){4, 0, 0}, (double[3]){0, 4, 0}, 2, 2, 0.5);
+    text_file(&t, file, "faces");
+    faces_open(&a, file, false);
+    faces_open(&b, file, true);
+    remove(file);
+    for (int n = 0; n < 4; n++) {
+        world_step(&a, false, NULL);
+        world_step(&b, false, NULL);
+        assert_true(a.sums.contacts > 150 && a.sums.contacts == b.sums.contacts);
+        assert_memory_equal(world_force(&a, 0), world_force(&b, 0),
+                            a.particles->owned * (size_t)a.particles->force_stride * sizeof(double));
+    }
+    world_close(&a);
+    world_close(&b);
+}
+
 TEST_MAIN(wall_history, cmocka_unit_test(test_sums), cmocka_unit_test(test_threads),
           cmocka_unit_test(test_reorder), cmocka_unit_test(test_rows), cmocka_unit_test(test_one_of_two_ends),
-          cmocka_unit_test(test_energy), cmocka_unit_test(test_resume))
+          cmocka_unit_test(test_energy), cmocka_unit_test(test_resume), cmocka_unit_test(test_faces))
