@@ -10,7 +10,7 @@ nobase_dist_pkgdata_DATA = \
 	%D%/bed_erosion/fixed.txt %D%/bed_erosion/picture.gp %D%/bed_erosion/resolved.yaml \
 	%D%/bed_erosion/scene.yaml %D%/bench/ablation.tsv %D%/bench/bench.sh %D%/bench/bidisperse.yaml \
 	%D%/bench/chute.yaml %D%/bench/chute_settle.yaml %D%/bench/cohesion.yaml %D%/bench/in.bidisperse \
-	%D%/bench/in.cells %D%/bench/in.chute %D%/bench/in.continuous %D%/bench/needs.yaml %D%/bench/packing.sh \
+	%D%/bench/in.cells %D%/bench/in.chute %D%/bench/in.continuous %D%/bench/laws.yaml %D%/bench/needs.yaml %D%/bench/packing.sh \
 	%D%/bench/packing.yaml %D%/bench/pairs.py %D%/bench/performance-guards.md \
 	%D%/bench/performance-index.head.md %D%/bench/performance-journal.head.md %D%/bench/performance.head.md \
 	%D%/bench/tables.sh %D%/bidisperse/README.md %D%/bidisperse/bidisperse_R10.data.gz \
@@ -75,7 +75,7 @@ nobase_dist_pkgdata_SCRIPTS = \
 	%D%/bead_packing/picture.sh %D%/bead_packing/run.sh %D%/bead_packing/section.sh %D%/bed_erosion/check \
 	%D%/bed_erosion/run.sh %D%/bed_erosion/section.sh %D%/bench/auto.sh %D%/bench/bidisperse.sh \
 	%D%/bench/cells.sh %D%/bench/chute.sh %D%/bench/cohesion.sh %D%/bench/compare.sh %D%/bench/continuous.sh \
-	%D%/bench/fluid.sh %D%/bench/growth.sh %D%/bench/guards.sh %D%/bench/hard.sh %D%/bench/needs.sh \
+	%D%/bench/fluid.sh %D%/bench/growth.sh %D%/bench/guards.sh %D%/bench/hard.sh %D%/bench/laws.sh %D%/bench/needs.sh \
 	%D%/bench/page.sh %D%/bench/penetration.sh %D%/bench/report.sh %D%/bench/roofline.sh %D%/bench/skin.sh \
 	%D%/bench/table1.sh %D%/bench/univol.sh %D%/bench/water.sh %D%/bidisperse/check %D%/bidisperse/run.sh \
 	%D%/blade/check %D%/blade/run.sh %D%/cavity/check %D%/cavity/run.sh %D%/columns/run.sh %D%/crushing/check \

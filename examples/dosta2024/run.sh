@@ -64,7 +64,8 @@ impact*)
     set -- --set "particles.sources[ball].id=$((count + 1))" --set output.trajectory.every=0 \
         --set "observables.list=[{name: position, label: ball, id: $((count + 1)), components: z}, {name: velocity, label: ball, id: $((count + 1)), components: z}]"
     if [ "$thousand" != 25 ]; then
-        set -- "$@" --set box.upper='[52 mm, 33 mm, 60 cm]' # deep beds splash beads up to there
+        # deep beds splash beads up to there, and some over the rim
+        set -- "$@" --set box.upper='[52 mm, 33 mm, 60 cm]' --set box.leave=delete
         fill=0.25 rest=0.02 thick=0.028 solid=0.5
         bed="{name: bed, from: packed, count: $count, sizes: 1 mm, material: glass, region: {shape: box, lower: [-0.049, -0.03, -0.0902431], upper: [0.049, 0.03, $(
             awk -v n=$count -v f=$solid 'BEGIN { printf "%.6f", -0.0902431 + n * 4.18879e-9 / f / (0.098 * 0.06) }')]}}"

@@ -6,6 +6,7 @@
 #include "physics/grains/batch/force_grip.h"
 #include "physics/grains/batch/force_kernel.h"
 #include "physics/grains/batch/force_physics.h"
+#include "physics/grains/batch/force_resist.h"
 #include "physics/grains/laws/law_general.h"
 #include "physics/grains/laws/law_user.h"
 #include "kernel/particles/material.h"
@@ -16,6 +17,7 @@ static inline void force_set_materials(const struct law *law, struct force_batch
     force_set_coefficients(b, k, law_pair_of(law, p, q));
     for (int n = 0; law->options.user && n < law->options.user->law->parameters; n++)
         b->parameter[n][k] = extra->parameter[n];
+    force_set_resistances(b, k, &law->options, extra);
     if (!law->general)
         return;
     b->extra[k] = extra;
@@ -76,7 +78,7 @@ static void force_ask(const struct law *law, struct law_step step, struct force_
 static force_pusher *force_push_find(const struct law *law, bool energies) {
     if (law->general) {
         force_pusher *grip = energies ? NULL : force_grip_find(&law->options);
-        return !law->rubs ? force_general_respond : grip ? grip : force_general_push;
+        return !force_resist_has(law) ? force_general_respond : grip ? grip : force_general_push;
     }
     return law->options.user ? force_ask : NULL;
 }
@@ -88,8 +90,10 @@ static void force_begin(struct force_form *form, struct force_batch *b, const st
                                 .measure = force_measure_find(&law->options),
                                 .push = force_push_find(law, energies)};
     form->step.energies = energies;
-    if (form->push != force_general_respond)
-        form->respond = force_respond_find(&law->options, energies, form->push != NULL);
+    if (form->push == NULL)
+        form->respond = force_respond_find(&law->options, energies);
+    else if (form->push != force_general_respond)
+        force_resist_find(&law->options, energies, form->resist);
     memset(b->active, true, sizeof b->active);
     b->alike = FORCE_UNLIKE;
     for (int k = 0; law->uniform && k < FORCE_BATCH; k++)
@@ -106,6 +110,9 @@ static void force_contacts(const struct force_form *form, struct force_batch *b)
         b->active[k] = b->springs[5][k] > 0.0;
     if (form->respond)
         form->respond(b, form->step);
+    for (int r = 0; r < FORCE_RESISTS; r++)
+        if (form->resist[r])
+            form->resist[r](law, form->step, b);
 }
 
 /* LAMMPS's slip of pair_style granular: the radii are the levers. */

@@ -26,7 +26,7 @@ static void contact_take(const struct law *law, struct force_batch *b, int k, st
 static void contact_pad(struct force_batch *b) {
     int last = b->walk.count - 1;
     for (int k = b->walk.count; k < b->walk.padded; k++) {
-        for (int c = 0; c < 6; c++)
+        for (int c = 0; c < FORCE_SPRINGS; c++)
             b->springs[c][k] = b->springs[c][last];
         for (int c = 0; c < 3; c++)
             b->energy[c][k] = b->energy[c][last];
@@ -46,6 +46,8 @@ void force_general_push(const struct law *law, struct law_step step, struct forc
         b->springs[3][k] = push.press;
         b->springs[4][k] = push.grip.touches ? 1.0 : 0.0;
         b->springs[5][k] = interacts ? 1.0 : 0.0;
+        b->springs[6][k] = push.grip.a;
+        b->springs[7][k] = push.grip.spring;
         b->energy[0][k] = push.grip.energy;
         b->energy[1][k] = 0.0;
         b->energy[2][k] = push.taken;

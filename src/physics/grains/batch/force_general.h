@@ -6,7 +6,7 @@
 
 #include "physics/grains/batch/force_kernel.h"
 
-/* The normal direction alone, of a law that rubs as laws without parts do (law.rubs). */
+/* The normal direction alone: loops have the rest. */
 void force_general_push(const struct law *law, struct law_step step, struct force_batch *batch);
 
 /* The whole law: nothing is left to a loop. */

@@ -82,6 +82,9 @@ LAW_INLINE void force_grip_one(const struct force_grip *loop, struct force_batch
     b->springs[3][k] = push.press;
     b->springs[4][k] = grip.touches ? 1.0 : 0.0;
     b->springs[5][k] = held ? 1.0 : 0.0;
+    if (law_adheres(loop->cohesion))
+        b->springs[6][k] = grip.a;
+    b->springs[7][k] = grip.spring;
     if (remembers)
         loop->held[k] = held ? 1.0 : 0.0;
     if (flows)

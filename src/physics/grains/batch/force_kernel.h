@@ -8,7 +8,7 @@
  *   mix      coefficients of the two materials, where materials differ
  *   push     what the loop of the law has not: springs of a file of the user's; the normal direction of a law with parts, in a
  *            vectorised loop or one contact after another; or all of a law whose resistances have no loop
- *   respond  the loop of the law: law_respond, or behind a push law_rub
+ *   respond  the loop of the law: law_respond, or behind a push loops of the law's resistances (force_resist.h)
  *
  * What needs the geometry of two spheres has `measure` before: records are turned into columns, then a vectorised loop.
  *
@@ -34,6 +34,22 @@ enum { FORCE_OUT = 0, FORCE_MOMENT = 3, FORCE_ROLLING = 6 };
 
 enum { FORCE_UNLIKE = -1 };
 
+/* Numbers that a push gives; loops of resistances; numbers that the resistances of a kind are given at most. */
+#define FORCE_ROLLING_MEMBER(NAME, name, with, summary) struct rolling_##name##_given name;
+#define FORCE_TWISTING_MEMBER(NAME, name, with, summary) struct twisting_##name##_given name;
+union force_rolling_given {
+    LAW_ROLLING_PARTS(FORCE_ROLLING_MEMBER)
+};
+union force_twisting_given {
+    LAW_TWISTING_PARTS(FORCE_TWISTING_MEMBER)
+};
+enum {
+    FORCE_SPRINGS = 8,
+    FORCE_RESISTS = 3,
+    FORCE_ROLLINGS = sizeof(union force_rolling_given) / sizeof(double),
+    FORCE_TWISTINGS = sizeof(union force_twisting_given) / sizeof(double)
+};
+
 /* Contacts that pass through the law. Entry k of each array belongs to contact k; the loops run to the next
  * multiple of FORCE_LANES. walk.history: the springs, tangential (0..2) and rolling (3..5), and what a law with parts remembers
  * beside. walk.out: the force on j, the torque per lever, the rolling torque on j. walk.gathered[0]: omega_i 0 omega_j 0. */
@@ -52,9 +68,12 @@ struct force_batch {
     double spin[3][FORCE_BATCH];
     double omega[2][3][FORCE_BATCH]; /* of i, of j, 1/time */
     /* What a push gives: force with the damper, the damper's base, tangential, press (law_general.h), 1 where the surfaces
-     * touch, 1 where they interact. Before, those of a file of the user's: force, stiffness, tangential, contact, energy. */
-    double springs[6][FORCE_BATCH];
+     * touch, 1 where they interact, the contact radius where it recalls (law_grip.h), the spring. Before, those of a file of
+     * the user's: force, stiffness, tangential, contact, energy. */
+    double springs[FORCE_SPRINGS][FORCE_BATCH];
     double sticky[LAW_STICKY][FORCE_BATCH]; /* of a law with parts: the members of the cohesion's struct */
+    double rolling[FORCE_ROLLINGS][FORCE_BATCH];       /* and what the resistance to rolling is given */
+    double twisting[FORCE_TWISTINGS][FORCE_BATCH];     /* and to twisting */
     double branch[LAW_BRANCH_COUNT][FORCE_BATCH];      /* of a law with branches: LAW_BRANCH_NUMBERS */
     double parameter[LAW_PARAMETERS_MAX][FORCE_BATCH]; /* of a law of the user's */
     double energy[3][FORCE_BATCH];                     /* normal, springs, work taken; if asked for */
@@ -80,9 +99,10 @@ typedef void force_pusher(const struct law *law, struct law_step step, struct fo
 struct force_form {
     const struct law *law;
     struct law_step step;
-    force_physics *measure; /* geometry of two spheres, for pairs */
-    force_pusher *push;     /* NULL: the loop of the law has all */
-    force_physics *respond; /* NULL: `push` has done all */
+    force_physics *measure;              /* geometry of two spheres, for pairs */
+    force_pusher *push;                  /* NULL: the loop of the law has all */
+    force_physics *respond;              /* NULL: `push` and `resist` have done all */
+    force_pusher *resist[FORCE_RESISTS]; /* behind a push: sliding, rolling, twisting; NULL: none */
 };
 
 /* Writes the coefficients of contact k into a batch, and reads them. */
@@ -109,6 +129,26 @@ static inline void force_set_sticky(struct force_batch *restrict b, int k, enum 
     const double *number = (const double *)sticky;
     for (size_t n = 0; n < size[cohesion] / sizeof *number; n++)
         b->sticky[n][k] = number[n];
+}
+
+/* The same for what its resistances to rolling and twisting are given. */
+static inline void force_set_given(double column[][FORCE_BATCH], int k, const void *given, size_t size) {
+    for (size_t n = 0; n < size / sizeof(double); n++)
+        column[n][k] = ((const double *)given)[n];
+}
+
+static inline void force_set_resistances(struct force_batch *restrict b, int k,
+                                         const struct law_options *options, const struct law_extra *extra) {
+#define ROLLING(NAME, name, with, summary)                                                                   \
+    if (options->rolling == LAW_ROLLING_##NAME)                                                              \
+        force_set_given(b->rolling, k, &extra->rolling_##name, sizeof extra->rolling_##name);
+#define TWISTING(NAME, name, with, summary)                                                                  \
+    if (options->twisting == LAW_TWISTING_##NAME)                                                            \
+        force_set_given(b->twisting, k, &extra->twisting_##name, sizeof extra->twisting_##name);
+    LAW_ROLLING_PARTS(ROLLING)
+    LAW_TWISTING_PARTS(TWISTING)
+#undef ROLLING
+#undef TWISTING
 }
 
 static inline void force_set_branch(struct force_batch *restrict b, int k, const struct law_extra *extra) {

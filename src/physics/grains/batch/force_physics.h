@@ -104,41 +104,6 @@ LAW_INLINE struct law_vector force_where(bool chosen, struct law_vector v) {
     return (struct law_vector){chosen ? v.x : 0.0, chosen ? v.y : 0.0, chosen ? v.z : 0.0};
 }
 
-/* Second loop of a law whose normal direction is in `springs`: sliding and rolling. */
-LAW_INLINE void force_rub(struct law_case law, struct force_batch *b, int k, struct law_step step) {
-    struct law_contact in = {.normal = force_vector(b->normal, k),
-                             .velocity = force_vector(b->velocity, k),
-                             .coefficients = force_coefficients_of(b, k),
-                             .radius = b->effective[k]};
-    struct law_vector push = law_scale(b->springs[0][k], in.normal);
-    bool touches = b->springs[4][k] > 0.0;
-    struct law_response out = {.taken = law.energies ? b->energy[2][k] : 0.0};
-    if (!law.friction) {
-        force_set(b->walk.out + FORCE_OUT, k, push);
-        return;
-    }
-    in.surface = force_vector(b->surface, k);
-    in.spring = force_vector(b->walk.history, k);
-    if (law.synchronised)
-        in.half_normal = force_vector(b->half_normal, k);
-    if (law.rolling) {
-        in.spin = force_vector(b->spin, k);
-        in.roll = force_vector(b->walk.history + 3, k);
-    }
-    law_rub(law, step, &in, b->springs[3][k], b->springs[2][k], b->springs[1][k], &out);
-    force_set(b->walk.out + FORCE_OUT, k, law_add(push, 1.0, force_where(touches, out.force)));
-    force_set(b->walk.out + FORCE_MOMENT, k, force_where(touches, out.moment));
-    force_set(b->walk.history, k, force_where(touches, out.spring));
-    if (law.energies) {
-        b->energy[1][k] = touches ? out.spring_energy : 0.0;
-        b->energy[2][k] = touches ? out.taken : b->energy[2][k];
-    }
-    if (!law.rolling)
-        return;
-    force_set(b->walk.out + FORCE_ROLLING, k, force_where(touches, out.rolling));
-    force_set(b->walk.history + 3, k, force_where(touches, out.roll));
-}
-
 /* The normal direction of a law of the user's, whose springs are there: damper and energies, as law_respond has them. */
 LAW_INLINE void force_damp(bool given, struct force_batch *b, int k, struct law_step step) {
     double elastic = b->springs[0][k], root = sqrt(b->mass[k] * b->springs[1][k]);
@@ -166,13 +131,6 @@ LAW_INLINE void force_measure_all(struct law_case law, struct force_batch *restr
         force_measure(law, b, k, step);
 }
 
-LAW_INLINE void force_rub_all(struct law_case law, struct force_batch *restrict b, struct law_step step) {
-    int count = b->walk.padded;
-#pragma omp simd
-    for (int k = 0; k < count; k++)
-        force_rub(law, b, k, step);
-}
-
 LAW_INLINE void force_respond_loop(struct law_case law, struct force_batch *restrict b,
                                    struct law_step step) {
     int count = b->walk.padded;
@@ -193,7 +151,7 @@ LAW_INLINE void force_respond_all(struct law_case law, struct force_batch *restr
 }
 
 /* The specialisations: force_measure_table[radius and lever][friction] for the geometry, force_respond_table[law][damper]
- * [energies][friction] for the laws of the table, and force_rub_table[energies][friction] behind a push. */
+ * [energies][friction] for the laws of the table. */
 #define FORCE_PHYSICS(phase, name, ...)                                                                      \
     static void name(struct force_batch *b, struct law_step step) {                                          \
         phase((struct law_case){__VA_ARGS__}, b, step);                                                      \
@@ -220,8 +178,6 @@ FORCE_PHYSICS_FAMILY(force_measure_all, force_measure_both, .radius = true, .lev
                          .damping_given = true, .energies = true)
 #define FORCE_LAW(NAME, name, traits, summary) FORCE_LAW_CASES(name, .normal = LAW_##NAME)
 LAW_BUILT_TABLE(FORCE_LAW)
-FORCE_PHYSICS_FAMILY(force_rub_all, force_rub, .radius = true)
-FORCE_PHYSICS_FAMILY(force_rub_all, force_rub_energies, .radius = true, .energies = true)
 
 static force_physics *const force_measure_table[2][2][5] = {
     {FORCE_PHYSICS_ROW(force_measure_plain), FORCE_PHYSICS_ROW(force_measure_lever)},
@@ -230,8 +186,6 @@ static force_physics *const force_measure_table[2][2][5] = {
     {{FORCE_PHYSICS_ROW(force_##name), FORCE_PHYSICS_ROW(force_##name##_energies)},                          \
      {FORCE_PHYSICS_ROW(force_##name##_given), FORCE_PHYSICS_ROW(force_##name##_given_energies)}},
 static force_physics *const force_respond_table[LAW_COUNT][2][2][5] = {LAW_BUILT_TABLE(FORCE_LAW_ROW)};
-static force_physics *const force_rub_table[2][5] = {FORCE_PHYSICS_ROW(force_rub),
-                                                     FORCE_PHYSICS_ROW(force_rub_energies)};
 
 static inline int force_friction_of(struct law_case law) {
     return !law.friction ? 0 : 1 + 2 * law.rolling + law.synchronised;
@@ -242,11 +196,9 @@ static inline force_physics *force_measure_find(const struct law_options *option
     return force_measure_table[law.radius][law.lever_radius][force_friction_of(law)];
 }
 
-static inline force_physics *force_respond_find(const struct law_options *options, bool energies, bool push) {
+static inline force_physics *force_respond_find(const struct law_options *options, bool energies) {
     struct law_case law = law_case_of(options, energies);
-    int friction = force_friction_of(law);
-    return push ? force_rub_table[energies][friction]
-                : force_respond_table[law.normal][law.damping_given][energies][friction];
+    return force_respond_table[law.normal][law.damping_given][energies][force_friction_of(law)];
 }
 
 #endif

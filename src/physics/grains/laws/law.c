@@ -176,18 +176,6 @@ static void law_lay_out(struct law *law) {
     law->history_components = next;
 }
 
-/* True if a law with parts has none but those of the normal direction. */
-static bool law_has_rub(const struct law *law) {
-    const struct law_options *o = &law->options;
-    bool plain = law->general && o->tangential <= LAW_TANGENTIAL_HISTORY &&
-                 law_rolling_form_of(o->rolling)->plain && o->twisting == LAW_TWISTING_NONE &&
-                 !o->lammps_granular && law->memory.slides < 0;
-    for (int a = 0; a < law->materials; a++)
-        for (int b = 0; b <= a; b++)
-            plain = plain && !law_rolling_general(o->rolling, law_extra_of(law, a, b));
-    return plain;
-}
-
 /* Fills the entries of the materials a and b. */
 static void law_fill(struct law *law, const struct law_material *material, const struct law_pair *pair, int a,
                      int b) {
@@ -236,7 +224,6 @@ bool law_prepare(struct law *law, const struct law_options *options, int materia
     law->spin = options->tangential != LAW_FRICTIONLESS;
     law->general = law_has_parts(law);
     law_lay_out(law);
-    law->rubs = law_has_rub(law);
     return true;
 }
 

@@ -72,9 +72,7 @@ struct law_memory {
 
 struct law {
     struct law_options options;
-    bool general; /* the law has parts: contacts go through law_general.h */
-    bool
-        rubs; /* such a law slides and rolls as a law without: no other parts than those of the normal direction */
+    bool general;  /* the law has parts: contacts go through law_general.h */
     int materials; /* 0: no law, nothing touches */
     bool uniform;  /* all pairs of materials have the same coefficients */
     bool moduli;   /* springs come from young and poisson of the materials */

@@ -3,8 +3,6 @@
 #include "physics/grains/laws/law_resist.h"
 #include <string.h>
 
-static const double resist_tiny = 1e-100;
-
 /* A contact on its way through the three. */
 struct resist {
     const struct law *law;
@@ -24,20 +22,6 @@ static void vector_put(double *value, struct law_vector v) {
     value[0] = v.x;
     value[1] = v.y;
     value[2] = v.z;
-}
-
-/* The factor by which a tangential spring changes before it advances: with the contact radius on unloading, and
- * where the force is remembered, from force to displacement by the stiffness now. */
-static double spring_factor(const struct resist *r, double stiffness) {
-    enum law_tangential kind = r->law->options.tangential;
-    const double *value = r->in->value;
-    int at = r->law->memory.radius;
-    double factor = 1.0, a = r->hold->grip->a;
-    if (at >= 0 && a < value[at])
-        factor = a / value[at];
-    if (kind == LAW_TANGENTIAL_FORCE || kind == LAW_TANGENTIAL_RESCALE_FORCE)
-        factor /= fmax(stiffness, resist_tiny);
-    return factor;
 }
 
 /* The limit of a contact that sticks, and of one that slides. */
@@ -61,25 +45,21 @@ static struct law_vector slide(struct resist *r, struct law_vector rate, struct 
 
 static void resist_slide(struct resist *r) {
     const struct law_contact *in = &r->in->contact;
+    enum law_tangential kind = r->law->options.tangential;
     double stiffness = r->hold->grip->tangential, damping = in->coefficients.c_t * r->hold->base;
-    struct law_vector rate =
-        law_add(law_project(in->velocity, r->plane), -1.0, law_cross(in->surface, r->plane));
-    struct law_vector force;
-    int at = r->law->memory.spring;
+    double a = r->hold->grip->a;
+    struct law_vector rate = law_slip_rate(in, r->plane), force;
+    int at = r->law->memory.spring, radius = r->law->memory.radius;
     if (at < 0) { /* viscous */
-        double size = sqrt(law_dot(rate, rate)), limit = in->coefficients.friction * r->hold->press;
-        force = law_scale(-fmin(damping, limit / fmax(size, resist_tiny)), rate);
-        r->out->taken -= r->step.dt * law_dot(force, rate);
+        force = law_dash(r->step, rate, damping, in->coefficients.friction * r->hold->press, r->out);
     } else {
-        double factor = spring_factor(r, stiffness);
+        double factor = law_spring_factor(kind, a, radius < 0 ? 0.0 : r->in->value[radius], stiffness);
         struct law_vector spring = law_scale(factor, vector_at(r->in->value + at));
-        enum law_tangential kind = r->law->options.tangential;
-        bool keeps_force = kind == LAW_TANGENTIAL_FORCE || kind == LAW_TANGENTIAL_RESCALE_FORCE;
         force = slide(r, rate, &spring, stiffness, damping);
-        vector_put(r->in->value + at, law_scale(keeps_force ? stiffness : 1.0, spring));
+        vector_put(r->in->value + at, law_scale(law_keeps_force(kind) ? stiffness : 1.0, spring));
     }
-    if (r->law->memory.radius >= 0 && r->step.dt > 0.0)
-        r->in->value[r->law->memory.radius] = r->hold->grip->a;
+    if (radius >= 0 && r->step.dt > 0.0)
+        r->in->value[radius] = a;
     r->out->force = law_add(r->out->force, 1.0, force);
     r->out->moment = law_cross(force, in->normal);
 }
@@ -109,17 +89,11 @@ static void resist_roll(struct resist *r) {
     int at = r->law->memory.roll;
     struct law_resistance rolling = rolling_of(r->law, &s, r->hold, in->mass);
     if (at < 0) {
-        force = law_scale(-limit / fmax(sqrt(law_dot(rate, rate)), resist_tiny), rate);
-        r->out->taken -= r->step.dt * law_dot(force, rate);
+        force = law_dash(r->step, rate, INFINITY, limit, r->out);
     } else {
         struct law_vector spring = vector_at(r->in->value + at);
-        bool rests = law_rolling_form_of(r->law->options.rolling)->rests;
-        force = law_slide(r->kind, r->step, in, rate, &spring, rolling.stiffness,
-                          rests ? 0.0 : rolling.damping, limit, r->out);
-        if (rests && law_dot(force, force) < limit * limit * (1.0 - 1e-12)) {
-            force = law_add(force, -rolling.damping, rate);
-            r->out->taken += r->step.dt * rolling.damping * law_dot(rate, rate);
-        }
+        force = law_roll(r->kind, r->step, in, rate, &spring,
+                         law_rolling_form_of(r->law->options.rolling)->rests, rolling, limit, r->out);
         vector_put(r->in->value + at, spring);
     }
     r->out->rolling = law_add(r->out->rolling, in->radius, force);
@@ -140,19 +114,11 @@ static void resist_twist(struct resist *r) {
     const struct law_contact *in = &r->in->contact;
     struct law_surfaces s = {
         &in->coefficients, r->in->extra, {r->in->radius[0], r->in->radius[1]}, in->radius};
-    double *angle = &r->in->value[r->law->memory.twist];
     struct law_resistance twisting = twisting_of(r->law, &s, r->hold, in->mass);
-    double rate = law_dot(in->spin, in->normal), trial = *angle + r->step.dt * rate;
-    double torque = -twisting.stiffness * trial - twisting.damping * rate,
-           limit = twisting.limit * r->hold->press;
-    bool over = fabs(torque) > limit;
-    double cut = over ? copysign(limit, r->law->options.lammps_granular ? -rate : torque) : torque;
-    double give = fmax(twisting.stiffness + twisting.damping * r->step.relaxation, resist_tiny),
-           before = *angle;
-    *angle = over ? trial + (torque - cut) / give : trial;
-    r->out->rolling = law_add(r->out->rolling, cut, in->normal);
-    r->out->spring_energy += 0.5 * twisting.stiffness * *angle * *angle;
-    r->out->taken -= r->step.dt * rate * (cut + 0.5 * twisting.stiffness * (*angle - before));
+    double torque =
+        law_twist(r->step, law_dot(in->spin, in->normal), &r->in->value[r->law->memory.twist], twisting,
+                  twisting.limit * r->hold->press, r->law->options.lammps_granular, r->out);
+    r->out->rolling = law_add(r->out->rolling, torque, in->normal);
 }
 
 void law_resist_forget(const struct law *law, double *value) {

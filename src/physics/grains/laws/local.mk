@@ -6,7 +6,8 @@ libcontact_la_SOURCES = \
 	%D%/law_grip.c %D%/law_parts.c %D%/law_resist.c %D%/law_restitution.c %D%/law_springs.c %D%/law_table.c \
 	%D%/law_user.c src/physics/grains/batch/force.h src/physics/grains/batch/force_account.h \
 	src/physics/grains/batch/force_general.h src/physics/grains/batch/force_grip.h \
-	src/physics/grains/batch/force_kernel.h src/physics/grains/batch/force_physics.h %D%/law.h \
+	src/physics/grains/batch/force_kernel.h src/physics/grains/batch/force_physics.h \
+	src/physics/grains/batch/force_resist.h %D%/law.h \
 	%D%/law_cohesion.h %D%/law_custom.h %D%/law_eepa.h %D%/law_form.h %D%/law_general.h %D%/law_grip.h \
 	%D%/law_hertz.h %D%/law_hooke.h %D%/law_kernel.h %D%/law_luding.h %D%/law_part.h %D%/law_parts.h \
 	%D%/law_resist.h %D%/law_restitution.h %D%/law_rigid.h %D%/law_root.h %D%/law_spheres.h %D%/law_spring.h \

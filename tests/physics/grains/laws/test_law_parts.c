@@ -227,7 +227,9 @@ static void batch_fill(struct force_batch *b, const struct law *law, struct rand
     b->walk.count = b->walk.padded = FORCE_BATCH;
     for (int k = 0; k < FORCE_BATCH; k++) {
         struct law_general in = random_contact(law, r);
+        in.radius[1] = k % 8 == 7 ? INFINITY : in.radius[1]; /* a wall */
         force_set_coefficients(b, k, &in.contact.coefficients);
+        force_set_resistances(b, k, &law->options, in.extra);
         force_set_sticky(b, k, law->options.cohesion, &law->sticky[law_place_of(law->materials, 0, 1)]);
         force_set_branch(b, k, in.extra);
         b->overlap[k] = in.contact.overlap;
@@ -269,8 +271,8 @@ static void test_columns(void **state) {
     assert_memory_equal(&back, &c, sizeof c);
 }
 
-/* The loops of laws that rub as others do: forces, torques, memory and energies to the last bit those of single contacts, by each
- * instruction set. Counts the evaluations whose normal direction has a loop, too. */
+/* The loops of sliding, rolling and twisting: forces, torques, memory and energies to the last bit those of single contacts, by
+ * each instruction set. Counts the evaluations whose normal direction has a loop, too. */
 static int rub_once(const struct law *law, const struct force_kernel *kernel, bool energies,
                     struct random_sequence *r) {
     static struct force_batch plain, fast;
@@ -280,7 +282,7 @@ static int rub_once(const struct law *law, const struct force_kernel *kernel, bo
     fast = plain;
     kernel->contacts(&form, &fast);
     force_general_respond(law, form.step, &plain);
-    int sums = law->spin ? law->options.rolling ? 9 : 6 : 3;
+    int sums = !law->spin ? 3 : law->options.rolling || law->options.twisting ? 9 : 6;
     for (int k = 0; k < FORCE_BATCH; k++) {
         assert_true((plain.springs[5][k] > 0.0) == fast.active[k]);
         for (int c = 0; c < sums; c++)
@@ -308,7 +310,7 @@ static void test_rub(void **state) {
             o.end = kind % 3 ? LAW_END_FORCE : LAW_END_OVERLAP;
             o.damping = (enum law_damping)(kind % LAW_DAMPING_TSUJI);
             OWN_LAW law = law_of(o, sticky);
-            for (int level = 0; law.rubs && level < 3; level++) {
+            for (int level = 0; law.general && level < 3; level++) {
                 const struct force_kernel *kernel = force_kernel_find(walk_level_name(level));
                 if (kernel == NULL)
                     continue;
@@ -319,6 +321,27 @@ static void test_rub(void **state) {
         }
     assert_true(levels > 0 && tried > levels * 66);
     assert_true(vectorised >= levels * 6 * 12); /* kinds, and laws with a cohesion that have a loop */
+}
+
+/* The same for all combinations of parts. */
+static void test_resist(void **state) {
+    (void)state;
+    struct random_sequence r = random_sequence(4, RANDOM_TEST, 0);
+    int tried = 0, levels = 0;
+    for (int level = 0; level < 3; level++)
+        levels += force_kernel_find(walk_level_name(level)) != NULL;
+    for (int k = 0; k < OPTIONS; k++) {
+        OWN_LAW law = law_of(options_of(k), sticky);
+        for (int level = 0; law.general && level < 3; level++) {
+            const struct force_kernel *kernel = force_kernel_find(walk_level_name(level));
+            if (kernel == NULL)
+                continue;
+            rub_once(&law, kernel, false, &r);
+            rub_once(&law, kernel, true, &r);
+            tried++;
+        }
+    }
+    assert_true(levels > 0 && tried > levels * OPTIONS / 2);
 }
 
 /* A contact that sticks holds up to the static limit; once it slides, the kinetic one counts until the force
@@ -435,4 +458,4 @@ TEST_MAIN(law_parts, cmocka_unit_test(test_energies), cmocka_unit_test(test_jkr)
           cmocka_unit_test(test_jkr_digits), cmocka_unit_test(test_pulls), cmocka_unit_test(test_mirror),
           cmocka_unit_test(test_static_friction), cmocka_unit_test(test_refused), cmocka_unit_test(test_epsd),
           cmocka_unit_test(test_root), cmocka_unit_test(test_absent), cmocka_unit_test(test_rub),
-          cmocka_unit_test(test_columns))
+          cmocka_unit_test(test_resist), cmocka_unit_test(test_columns))

@@ -14,8 +14,8 @@ static inline bool rolling_constant_general(const struct rolling_constant_given 
     return true;
 }
 
-static inline struct law_resistance rolling_constant_resist(const struct rolling_constant_given *given,
-                                                            const struct law_touch *touch) {
+LAW_INLINE struct law_resistance rolling_constant_resist(const struct rolling_constant_given *given,
+                                                         const struct law_touch *touch) {
     (void)given;
     (void)touch;
     return (struct law_resistance){0};

@@ -19,15 +19,15 @@ static inline bool rolling_epsd_general(const struct rolling_epsd_given *given) 
 
 /* The inertia against rolling of two spheres of one density, 1 / (5/(7 m_i r_i^2) + 5/(7 m_j r_j^2)), by their effective
  * mass and radii; that of the sphere at a wall. */
-static inline double rolling_epsd_inertia(const struct law_radii *radii, double mass) {
+LAW_INLINE double rolling_epsd_inertia(const struct law_radii *radii, double mass) {
     double a = radii->one, b = radii->other, aa = a * a, bb = b * b;
-    if (isinf(a) || isinf(b))
-        return 1.4 * mass * radii->effective * radii->effective;
-    return 1.4 * mass * (aa * bb) * (aa * a + bb * b) / (aa * aa * a + bb * bb * b);
+    double wall = 1.4 * mass * radii->effective * radii->effective;
+    double spheres = 1.4 * mass * (aa * bb) * (aa * a + bb * b) / (aa * aa * a + bb * bb * b);
+    return isinf(a) || isinf(b) ? wall : spheres;
 }
 
-static inline struct law_resistance rolling_epsd_resist(const struct rolling_epsd_given *given,
-                                                        const struct law_touch *touch) {
+LAW_INLINE struct law_resistance rolling_epsd_resist(const struct rolling_epsd_given *given,
+                                                     const struct law_touch *touch) {
     double friction = touch->c->rolling_friction, effective = touch->radii.effective;
     double inertia = rolling_epsd_inertia(&touch->radii, touch->mass) / (effective * effective);
     double stiffness = 2.25 * touch->grip->spring * friction * friction;

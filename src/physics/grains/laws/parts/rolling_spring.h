@@ -19,13 +19,12 @@ static inline bool rolling_spring_general(const struct rolling_spring_given *giv
     return given->rolling_stiffness > 0.0;
 }
 
-static inline struct law_resistance rolling_spring_resist(const struct rolling_spring_given *given,
-                                                          const struct law_touch *touch) {
-    if (given->rolling_stiffness > 0.0)
-        return (struct law_resistance){.stiffness = given->rolling_stiffness,
-                                       .damping = given->rolling_damping};
-    return (struct law_resistance){.stiffness = touch->grip->tangential,
-                                   .damping = touch->c->c_t * touch->base};
+LAW_INLINE struct law_resistance rolling_spring_resist(const struct rolling_spring_given *given,
+                                                       const struct law_touch *touch) {
+    bool given_one = given->rolling_stiffness > 0.0;
+    return (struct law_resistance){
+        .stiffness = given_one ? given->rolling_stiffness : touch->grip->tangential,
+        .damping = given_one ? given->rolling_damping : touch->c->c_t * touch->base};
 }
 
 static inline struct law_solved rolling_spring_solved(const struct rolling_spring_given *given) {

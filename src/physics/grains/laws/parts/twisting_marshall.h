@@ -10,8 +10,8 @@ struct twisting_marshall_given {
     double none;
 };
 
-static inline struct law_resistance twisting_marshall_resist(const struct twisting_marshall_given *given,
-                                                             const struct law_touch *touch) {
+LAW_INLINE struct law_resistance twisting_marshall_resist(const struct twisting_marshall_given *given,
+                                                          const struct law_touch *touch) {
     (void)given;
     double a = touch->grip->a;
     return (struct law_resistance){.stiffness = 0.5 * touch->grip->tangential * a * a,

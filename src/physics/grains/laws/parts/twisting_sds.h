@@ -15,8 +15,8 @@ struct twisting_sds_given {
     TWISTING_SDS_KEYS(LAW_GIVEN_MEMBER)
 };
 
-static inline struct law_resistance twisting_sds_resist(const struct twisting_sds_given *given,
-                                                        const struct law_touch *touch) {
+LAW_INLINE struct law_resistance twisting_sds_resist(const struct twisting_sds_given *given,
+                                                     const struct law_touch *touch) {
     (void)touch;
     return (struct law_resistance){given->twisting_stiffness, given->twisting_damping,
                                    given->twisting_friction};
