@@ -18,15 +18,15 @@ static double shear_target(const struct scene *scene, const struct box *box) {
     return motion->shears ? scene->stress.shear[motion->flow + motion->gradient - 1] : NAN;
 }
 
-void deform_prepare(struct simulation *s) {
-    s->servo.on = s->scene->stress_given;
-    s->servo.drift = s->box.motion.shear;
-    s->servo.shears = s->servo.on && !isnan(shear_target(s->scene, &s->box));
-    if (s->box.motion.moves)
-        skin_follow(s->search.skin, &s->box);
-    if (s->servo.on && s->scene->reproducible)
-        s->servo.exact =
-            memory_allocate_zero((size_t)s->threads, sizeof *s->servo.exact, "sums of the stress");
+void deform_prepare(struct box_servo *servo, const struct box *box, const struct scene *scene,
+                    struct skin *skin, int threads) {
+    servo->on = scene->stress_given;
+    servo->drift = box->motion.shear;
+    servo->shears = servo->on && !isnan(shear_target(scene, box));
+    if (box->motion.moves)
+        skin_follow(skin, box);
+    if (servo->on && scene->reproducible)
+        servo->exact = memory_allocate_zero((size_t)threads, sizeof *servo->exact, "sums of the stress");
 }
 
 void deform_free(struct box_servo *servo) {
@@ -58,26 +58,27 @@ static void sum_exactly(const struct comm *comm, struct exact *sum, int n, doubl
         value[c] = exact_value(&sum[c]);
 }
 
-void deform_begin(struct simulation *s) {
+void deform_begin(struct box_servo *servo, const struct box *box, const struct scene *scene,
+                  const struct particles *particles, const struct comm *comm) {
     struct exact exact[3] = {0};
     double sum[3];
-    if (!s->servo.on || s->servo.mass > 0) /* of a checkpoint */
+    if (!servo->on || servo->mass > 0) /* of a checkpoint */
         return;
-    const uint8_t *kind = kinds_of(s->particles);
-    for (size_t k = 0; k < s->particles->owned; k++) {
-        const struct particle_state *state = &s->particles->state[k];
+    const uint8_t *kind = kinds_of(particles);
+    for (size_t k = 0; k < particles->owned; k++) {
+        const struct particle_state *state = &particles->state[k];
         if (kind && kind[k] != KIND_GRAIN) /* a body is there by its members */
             continue;
         exact_add(&exact[0], state->inverse_mass > 0 ? 1 / state->inverse_mass : 0);
         exact_add(&exact[1], 4.0 / 3 * M_PI * state->radius * state->radius * state->radius);
         exact_add(&exact[2], 1);
     }
-    sum_exactly(s->comm, exact, 3, sum);
-    s->servo.mass = sum[0];
+    sum_exactly(comm, exact, 3, sum);
+    servo->mass = sum[0];
     double diameter = cbrt(6 / M_PI * sum[1] / fmax(sum[2], 1)), density = sum[0] / sum[1];
-    if (s->box.dimension == 2) /* mass over area */
+    if (box->dimension == 2) /* mass over area */
         density *= 2.0 / 3 * diameter;
-    s->servo.bound = s->scene->stress.inertia / (diameter * sqrt(density));
+    servo->bound = scene->stress.inertia / (diameter * sqrt(density));
 }
 
 static double volume_of(const struct box *box) {
@@ -174,19 +175,19 @@ static void shear_control(struct simulation *s, const struct packing *packing, d
         s->servo.drift + SHEAR_GAIN * rate_of(&s->servo, packing, excess, fmax(scale, 0), longest), bound);
 }
 
-void deform_flow(struct simulation *s) {
+void deform_flow(struct box *box, struct particles *particles) {
     double change[4];
     struct fields_flow flow[FIELDS_MAX];
-    const int flows = fields_flowing(s->particles, flow);
-    const uint8_t *kind = kinds_of(s->particles);
-    if (!box_follow(&s->box, change))
+    const int flows = fields_flowing(particles, flow);
+    const uint8_t *kind = kinds_of(particles);
+    if (!box_follow(box, change))
         return;
 #pragma omp parallel for schedule(static)
-    for (size_t k = 0; k < s->particles->owned; k++) {
+    for (size_t k = 0; k < particles->owned; k++) {
         double more[3];
-        box_accelerate(&s->box, change, s->particles->state[k].x, more);
+        box_accelerate(box, change, particles->state[k].x, more);
         for (int d = 0; d < 3; d++)
-            s->particles->state[k].v[d] += more[d];
+            particles->state[k].v[d] += more[d];
         for (int f = 0; f < flows; f++)
             for (int d = 0; d < 3 && (!flow[f].kinds || (flow[f].kinds >> kind[k] & 1)); d++)
                 flow[f].value[k][d] += more[d];
@@ -236,10 +237,11 @@ static void check_edges(const struct box *box, const struct size_classes *classe
     }
 }
 
-void deform_advance(struct simulation *s) {
-    box_advance(&s->box, s->clock.dt);
-    check_edges(&s->box, &s->classes, &s->clock, &s->error);
-    interactions_follow(&s->search.interactions, &s->box);
+void deform_advance(struct box *box, struct interactions *interactions, const struct size_classes *classes,
+                    const struct clock *clock, struct error *error) {
+    box_advance(box, clock->dt);
+    check_edges(box, classes, clock, error);
+    interactions_follow(interactions, box);
 }
 
 void deform_settle(struct box *box, struct domain *domain) {

@@ -89,15 +89,14 @@ static bool files_open(struct outputs *o, const struct comm *comm, int64_t step,
            wall_frames_open(&o->walls, comm, o->run->directory, step, error);
 }
 
-struct output_run outputs_run(const struct simulation *s, const char *directory) {
-    const struct scene *scene = s->scene;
+struct output_run outputs_run(const struct scene *scene, const struct box *box, const struct lineage *lineage,
+                              const char *directory) {
     struct output_run run = {.directory = directory,
-                             .scene =
-                                 s->lineage.count > 0 ? s->lineage.run[s->lineage.count - 1].scene : NULL,
-                             .lineage = &s->lineage,
+                             .scene = lineage->count > 0 ? lineage->run[lineage->count - 1].scene : NULL,
+                             .lineage = lineage,
                              .dimensionless = scene->units == SCENE_UNITS_NONE,
                              .varying = scene->stages > 1 || scene->insertions > 0 || scene->deletions > 0 ||
-                                        box_may_lose(&s->box),
+                                        box_may_lose(box),
                              .seed = scene->seed,
                              .materials = scene->materials,
                              .material = scene->material,
@@ -142,15 +141,15 @@ bool outputs_go_on(const struct outputs *o, const struct comm *comm, struct erro
     return !present || h5md_suits(comm, path, o->run->varying, error);
 }
 
-bool outputs_open(struct outputs *o, const struct simulation *s, bool resumed, struct error *error) {
-    const struct output_view view = simulation_view(s);
-    int64_t step = resumed ? (int64_t)s->clock.step : -1;
-    bool good = o->observables == NULL || observables_open(o->observables, s->comm, o->run->directory,
-                                                           resumed ? s->clock.time : -1, error);
-    good = good && grids_open(o, &view, resumed, error) && files_open(o, s->comm, step, error);
-    PHYSICS_EACH (active, &s->physics, table)
+bool outputs_open(struct outputs *o, const struct output_view *view, const struct physics_set *set,
+                  bool resumed, struct error *error) {
+    int64_t step = resumed ? (int64_t)view->step : -1;
+    bool good = o->observables == NULL || observables_open(o->observables, view->comm, o->run->directory,
+                                                           resumed ? view->time : -1, error);
+    good = good && grids_open(o, view, resumed, error) && files_open(o, view->comm, step, error);
+    PHYSICS_EACH (active, set, table)
         good = good && active->row->table->open(&active->context, o->run->directory, step, error);
-    return comm_agree(s->comm, error) && good;
+    return comm_agree(view->comm, error) && good;
 }
 
 bool outputs_close(struct outputs **outputs, const struct comm *comm, struct error *error) {

@@ -10,10 +10,11 @@
 #include <math.h>
 #include <stdio.h>
 
-void run_report_begin(struct simulation *s, struct run_record *run) {
-    *run = (struct run_record){.first = s->clock.step, .setup = run->setup, .start = s->timers};
-    ghosts_count(s->ranks.ghosts, &run->before);
-    timer_clear(&s->timers);
+void run_report_begin(struct timers *timers, const struct ghosts *ghosts, uint64_t step,
+                      struct run_record *run) {
+    *run = (struct run_record){.first = step, .setup = run->setup, .start = *timers};
+    ghosts_count(ghosts, &run->before);
+    timer_clear(timers);
     run->began = timer_now();
 }
 

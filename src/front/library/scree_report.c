@@ -12,7 +12,8 @@ void scree_report_begin(struct scree_simulation *simulation, double began) {
     simulation->since = timer_now();
     simulation->spent = 0;
     simulation->record.setup = simulation->since - began;
-    run_report_begin(simulation->state, &simulation->record);
+    run_report_begin(&simulation->state->timers, simulation->state->ranks.ghosts,
+                     simulation->state->clock.step, &simulation->record);
 }
 
 /* Gives all ranks the text of rank 0, which it frees. */
