@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* The rows of the report of a run, with their getters, and its lines on the terminal. Read run_report.h first. */
 #include "engine/run_report.h"
-#include "engine/run_report_lists.h"
 #include "engine/run_report_source.h"
 #include "engine/index_view.h"
 #include "base/memory.h"

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* Observables and checkpoints of a simulation in another program. Read scree.h first. */
-#include "front/library/scree_observe.h"
+#include "front/library/scree_parts.h"
 #include "base/memory.h"
 #include "engine/outputs.h"
 #include "engine/rebuild.h"

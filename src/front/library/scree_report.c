@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
-/* The report of a simulation of the library, as text. Read scree_report.h first. */
-#include "front/library/scree_report.h"
+/* The report of a simulation of the library, as text. Read scree_parts.h first. */
+#include "front/library/scree_parts.h"
 #include "base/memory.h"
 #include "data/observe/report_json.h"
 #include "engine/run_report.h"

@@ -1,8 +1,6 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* A simulation in another program: made, stepped, ended. Read scree.h first. */
-#include "front/library/scree_observe.h"
-#include "front/library/scree_report.h"
-#include "front/library/scree_stages.h"
+#include "front/library/scree_parts.h"
 #include "base/memory.h"
 #include "engine/checked.h"
 #include "engine/outputs.h"

@@ -1,9 +1,7 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* A simulation goes from stage to stage as a run does: by a checkpoint, from which the simulation of the next stage begins.
- * Read scree_stages.h first. */
-#include "front/library/scree_stages.h"
-#include "front/library/scree_observe.h"
-#include "front/library/scree_report.h"
+ * Read scree_parts.h first. */
+#include "front/library/scree_parts.h"
 #include "engine/index_view.h"
 #include "engine/resume.h"
 #include "base/file.h"
