@@ -21,6 +21,7 @@ static double shear_target(const struct scene *scene, const struct box *box) {
 void deform_prepare(struct box_servo *servo, const struct box *box, const struct scene *scene,
                     struct skin *skin, int threads) {
     servo->on = scene->stress_given;
+    servo->threads = threads;
     servo->drift = box->motion.shear;
     servo->shears = servo->on && !isnan(shear_target(scene, box));
     if (box->motion.moves)
@@ -97,46 +98,49 @@ static void flux_of(const struct box *box, const struct particle_state *state, d
 }
 
 /* The sums of stress_sum, the same on any layout. */
-static void stress_exactly(const struct simulation *s, double sum[STRESS_SUMS]) {
-    struct exact(*exact)[STRESS_SUMS] = s->servo.exact;
-    const struct physics_active *mover = s->physics.mover;
+static void stress_exactly(const struct box_servo *servo, const struct box *box,
+                           const struct particles *particles, const struct physics_active *mover,
+                           const struct comm *comm, double sum[STRESS_SUMS]) {
+    struct exact(*exact)[STRESS_SUMS] = servo->exact;
+    const size_t threads = (size_t)servo->threads;
 #pragma omp parallel for schedule(static, 1)
-    for (int t = 0; t < s->threads; t++) {
-        size_t first = s->particles->owned * (size_t)t / (size_t)s->threads;
-        size_t last = s->particles->owned * ((size_t)t + 1) / (size_t)s->threads;
+    for (size_t t = 0; t < threads; t++) {
+        size_t first = particles->owned * t / threads;
+        size_t last = particles->owned * (t + 1) / threads;
         for (size_t k = first; k < last; k++) {
             double flux[6];
-            flux_of(&s->box, &s->particles->state[k], flux);
+            flux_of(box, &particles->state[k], flux);
             for (int c = 0; c < 6; c++)
                 exact_add(&exact[t][c], flux[c]);
         }
     }
-    for (int t = 1; t < s->threads; t++)
+    for (size_t t = 1; t < threads; t++)
         for (int c = 0; c < STRESS_SUMS; c++)
             exact_join(&exact[0][c], &exact[t][c]);
     if (mover->row->mover->stress)
         mover->row->mover->stress(&mover->context, exact[0], sum);
-    sum_exactly(s->comm, exact[0], STRESS_SUMS, sum);
-    memset(exact, 0, (size_t)s->threads * sizeof *exact);
+    sum_exactly(comm, exact[0], STRESS_SUMS, sum);
+    memset(exact, 0, threads * sizeof *exact);
 }
 
 /* Sums over all ranks: stress times volume (6), and the elastic energy. */
-static void stress_sum(const struct simulation *s, double sum[STRESS_SUMS]) {
-    const struct physics_active *mover = s->physics.mover;
-    if (s->servo.exact) {
-        stress_exactly(s, sum);
+static void stress_sum(const struct box_servo *servo, const struct box *box,
+                       const struct particles *particles, const struct physics_active *mover,
+                       const struct comm *comm, double sum[STRESS_SUMS]) {
+    if (servo->exact) {
+        stress_exactly(servo, box, particles, mover, comm, sum);
         return;
     }
     memset(sum, 0, STRESS_SUMS * sizeof *sum);
     if (mover->row->mover->stress)
         mover->row->mover->stress(&mover->context, NULL, sum);
-    for (size_t k = 0; k < s->particles->owned; k++) {
+    for (size_t k = 0; k < particles->owned; k++) {
         double flux[6];
-        flux_of(&s->box, &s->particles->state[k], flux);
+        flux_of(box, &particles->state[k], flux);
         for (int c = 0; c < 6; c++)
             sum[c] += flux[c];
     }
-    comm_sum(s->comm, sum, 7);
+    comm_sum(comm, sum, STRESS_SUMS);
 }
 
 static double limited(double rate, double bound) {
@@ -145,7 +149,7 @@ static double limited(double rate, double bound) {
 
 /* What the servo knows of the packing. */
 struct packing {
-    double density, modulus;
+    double density, modulus, pressure;
 };
 
 /* The rate of an edge at which the stress is `excess` above its target; `scale` is a stress of the size of the
@@ -156,23 +160,23 @@ static double rate_of(const struct box_servo *servo, const struct packing *packi
     return limited(impedance > 0 ? excess / impedance / edge : 0, servo->bound * sqrt(scale));
 }
 
-/* Sets the rate of the shear. */
-static void shear_control(struct simulation *s, const struct packing *packing, double stress,
-                          double pressure) {
-    struct box_motion *motion = &s->box.motion;
-    double target = shear_target(s->scene, &s->box);
+/* Sets the rate of the shear, by a shear stress and its target (no number: none) over a step. */
+static void shear_control(struct box_servo *servo, struct box *box, const struct packing *packing,
+                          double stress, double target, double dt) {
+    struct box_motion *motion = &box->motion;
     if (isnan(target)) {
-        s->servo.drift = motion->shear;
+        servo->drift = motion->shear;
         return;
     }
-    double scale = fmax(fabs(target), pressure), bound = s->servo.bound * sqrt(fmax(scale, 0)), longest = 0;
+    double scale = fmax(fabs(target), packing->pressure), bound = servo->bound * sqrt(fmax(scale, 0)),
+           longest = 0;
     double excess = stress - target;
-    for (int d = 0; d < s->box.dimension; d++)
-        longest = fmax(longest, s->box.edge[d]);
-    double more = s->evaluation.dt * excess / (SHEAR_INERTIA * packing->density * longest * longest);
-    s->servo.drift = limited(s->servo.drift + more, bound);
-    motion->shear = limited(
-        s->servo.drift + SHEAR_GAIN * rate_of(&s->servo, packing, excess, fmax(scale, 0), longest), bound);
+    for (int d = 0; d < box->dimension; d++)
+        longest = fmax(longest, box->edge[d]);
+    double more = dt * excess / (SHEAR_INERTIA * packing->density * longest * longest);
+    servo->drift = limited(servo->drift + more, bound);
+    motion->shear =
+        limited(servo->drift + SHEAR_GAIN * rate_of(servo, packing, excess, fmax(scale, 0), longest), bound);
 }
 
 void deform_flow(struct box *box, struct particles *particles) {
@@ -200,14 +204,15 @@ void deform_control(struct simulation *s) {
     int n = s->box.dimension;
     double sum[STRESS_SUMS], *stretch = s->box.motion.stretch, work = 0, longest = 0,
                              volume = volume_of(&s->box);
-    stress_sum(s, sum);
+    stress_sum(&s->servo, &s->box, s->particles, s->physics.mover, s->comm, sum);
     for (int d = 0; d < n; d++) {
         work += sum[d];
         longest = fmax(longest, s->box.edge[d]);
     }
-    const struct packing packing = {.density = s->servo.mass / volume,
-                                    .modulus = sum[6] > 0 ? 0.3 * work * work / (sum[6] * volume) : 0};
     double mean = work / volume / n;
+    const struct packing packing = {.density = s->servo.mass / volume,
+                                    .modulus = sum[6] > 0 ? 0.3 * work * work / (sum[6] * volume) : 0,
+                                    .pressure = mean};
     for (int d = 0; d < n; d++) {
         double target = wanted->normal[d];
         if (!isnan(wanted->pressure))
@@ -215,7 +220,9 @@ void deform_control(struct simulation *s) {
         else if (!isnan(target))
             stretch[d] = rate_of(&s->servo, &packing, sum[d] / volume - target, target, s->box.edge[d]);
     }
-    shear_control(s, &packing, motion->shears ? sum[2 + motion->flow + motion->gradient] / volume : 0, mean);
+    shear_control(&s->servo, &s->box, &packing,
+                  motion->shears ? sum[2 + motion->flow + motion->gradient] / volume : 0,
+                  shear_target(s->scene, &s->box), s->evaluation.dt);
 }
 
 /* Stops the run before an edge is too short for its particles. */

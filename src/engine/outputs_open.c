@@ -35,24 +35,26 @@ static bool id_there(const struct particles *particles, const struct comm *comm,
 
 /* Refuses ids that no particle has or will have: the scene inserts none. In a resumed run a particle may have
  * left before. Collective. */
-static bool observables_check_ids(const struct simulation *s, struct error *error) {
-    const struct observables_options *options = &s->scene->output.observables;
-    for (int k = 0; s->scene->insertions == 0 && k < options->count; k++) {
+static bool observables_check_ids(const struct scene *scene, const struct particles *particles,
+                                  const struct comm *comm, int64_t next_id, bool resumed,
+                                  struct error *error) {
+    const struct observables_options *options = &scene->output.observables;
+    for (int k = 0; scene->insertions == 0 && k < options->count; k++) {
         int64_t id = options->request[k].id;
         char key[64];
-        if (id <= 0 || (s->resumed.dt > 0 ? id < s->sources.next_id : id_there(s->particles, s->comm, id)))
+        if (id <= 0 || (resumed ? id < next_id : id_there(particles, comm, id)))
             continue;
         snprintf(key, sizeof key, "observables.list[%d].id", k);
         error_set(error, ERROR_USER, "%s: there is no particle %lld; ids go up to %lld", key, (long long)id,
-                  (long long)s->sources.next_id - 1);
-        return fail_at(s->scene, key, error);
+                  (long long)next_id - 1);
+        return fail_at(scene, key, error);
     }
     return true;
 }
 
 static bool observables_prepare(struct outputs *o, const struct simulation *s, struct error *error) {
     struct output_view view = simulation_view(s);
-    if (!observables_check_ids(s, error))
+    if (!observables_check_ids(s->scene, s->particles, s->comm, s->sources.next_id, s->resumed.dt > 0, error))
         return false;
     return observables_create(&o->observables, &o->options->observables, &view, o->run, error) ||
            fail_at(s->scene, "observables.list", error);
