@@ -16,7 +16,7 @@ void checked_step(struct simulation *s, bool sums, bool rebuild, bool seen) {
     s->search.sorts = s->search.sorts || rebuild; /* the caller writes the state, or has changed it */
     step_run(s, rebuild || (every > 0 && next % (uint64_t)every == 0));
     if (seen || next % FINITE_EVERY == 0)
-        guards_check_finite(s);
+        guards_check_finite(s->particles, &s->box, &s->physics, &s->clock, &s->error);
     if (guards_energy_due(&s->guards.energy, next))
         guards_check_energy(s);
     if (timing_due(&s->timing, s->scene, next))

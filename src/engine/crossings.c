@@ -11,27 +11,31 @@ void crossings_prepare(struct output_crossing *crossing, int planes) {
         crossing[k] = (struct output_crossing){NAN, NAN};
 }
 
-static void account(struct simulation *s, int plane, size_t i, double sign) {
-    double number = crossing_number(&s->box, &s->scene->output.observables.plane[plane], s->particles, i);
-    s->crossings[plane].particles += sign * number;
-    s->crossings[plane].mass += sign * number * groups_mass(s->particles, i);
+/* Adds `sign` times the number of crossings of particle i to those of one plane. */
+static void account(struct output_crossing *crossing, double number, const struct particles *particles,
+                    size_t i, double sign) {
+    crossing->particles += sign * number;
+    crossing->mass += sign * number * groups_mass(particles, i);
 }
 
-void crossings_begin(struct simulation *s) {
-    const uint8_t *kind = kinds_of(s->particles);
-    for (int k = 0; k < s->scene->output.observables.planes; k++) {
-        if (!isnan(s->crossings[k].mass))
+void crossings_begin(struct output_crossing *crossing, const struct observables_options *options,
+                     const struct box *box, const struct particles *particles) {
+    const uint8_t *kind = kinds_of(particles);
+    for (int k = 0; k < options->planes; k++) {
+        if (!isnan(crossing[k].mass))
             continue;
-        s->crossings[k] = (struct output_crossing){0, 0};
-        for (size_t i = 0; i < s->particles->owned; i++)
+        crossing[k] = (struct output_crossing){0, 0};
+        for (size_t i = 0; i < particles->owned; i++)
             if (kind == NULL || kind[i] == KIND_GRAIN)
-                account(s, k, i, -1);
+                account(&crossing[k], crossing_number(box, &options->plane[k], particles, i), particles, i,
+                        -1);
     }
 }
 
-void crossings_account(struct simulation *s, size_t i, double sign) {
-    for (int k = 0; k < s->scene->output.observables.planes; k++)
-        account(s, k, i, sign);
+void crossings_account(struct output_crossing *crossing, const struct observables_options *options,
+                       const struct box *box, const struct particles *particles, size_t i, double sign) {
+    for (int k = 0; k < options->planes; k++)
+        account(&crossing[k], crossing_number(box, &options->plane[k], particles, i), particles, i, sign);
 }
 
 void crossings_restart(struct output_crossing *crossing, const struct observables_options *options,

@@ -6,16 +6,16 @@
 
 /* Bounds of the displacements grow by the largest speeds. If a bound reaches a skin, the displacements are
  * measured. */
-static void decide_skin(struct simulation *s) {
+static void decide_skin(const struct search *search, const struct physics_set *set, int threads, int classes,
+                        double dt) {
     double speed[CLASS_MAX] = {0};
-    const struct physics_active *obstacles = s->physics.obstacles;
-    int classes = s->classes.count;
-    for (int t = 0; t < s->threads; t++)
+    const struct physics_active *obstacles = set->obstacles;
+    for (int t = 0; t < threads; t++)
         for (int c = 0; c < classes; c++)
-            speed[c] = fmax(speed[c], s->search.speed[t][c]);
+            speed[c] = fmax(speed[c], search->speed[t][c]);
     for (int c = 0; c < classes; c++)
         speed[c] = sqrt(speed[c]);
-    skin_moved(s->search.skin, speed, classes, s->clock.dt,
+    skin_moved(search->skin, speed, classes, dt,
                obstacles ? obstacles->row->obstacles->displacement(&obstacles->context) : 0);
 }
 
@@ -23,7 +23,7 @@ static void decide_skin(struct simulation *s) {
 void decide_begin(struct simulation *s) {
     double *value = s->agree.value;
     int n = s->classes.count;
-    decide_skin(s);
+    decide_skin(&s->search, &s->physics, s->threads, n, s->clock.dt);
     if (s->ranks.alone)
         return;
     memcpy(value, s->search.skin->bound, (size_t)n * sizeof *value);
@@ -35,19 +35,18 @@ void decide_begin(struct simulation *s) {
     comm_max_begin(s->comm, value, 2 * n + 4, &s->agree.reduction);
 }
 
-void decide_end(struct simulation *s) {
-    const double *value = s->agree.value;
-    int n = s->classes.count;
-    if (!s->ranks.alone) {
-        comm_max_end(&s->agree.reduction);
-        memcpy(s->search.skin->bound, value, (size_t)n * sizeof *value);
-        memcpy(s->search.skin->second, value + n, (size_t)n * sizeof *value);
-        s->agree.signals.rebuild = value[2 * n] > 0;
-        s->agree.signals.stop = value[2 * n + 1] > 0;
-        s->agree.signals.checkpoint = value[2 * n + 2] > 0;
-        s->agree.signals.error = value[2 * n + 3] > 0;
+void decide_end(struct agree *agree, struct skin *skin, int classes, bool alone) {
+    const double *value = agree->value, *signal = value + 2 * classes;
+    if (!alone) {
+        comm_max_end(&agree->reduction);
+        memcpy(skin->bound, value, (size_t)classes * sizeof *value);
+        memcpy(skin->second, value + classes, (size_t)classes * sizeof *value);
+        agree->signals = (struct step_signals){.rebuild = signal[0] > 0,
+                                               .stop = signal[1] > 0,
+                                               .checkpoint = signal[2] > 0,
+                                               .error = signal[3] > 0};
     }
-    skin_settle(s->search.skin, n);
+    skin_settle(skin, classes);
 }
 
 void decide_displacements(struct skin *skin, const struct particles *particles, int classes,
@@ -66,18 +65,19 @@ void decide_displacements(struct skin *skin, const struct particles *particles, 
 }
 
 /* Measures the displacements if the bounds say that a rebuild may be due. */
-void decide_measure(struct simulation *s) {
-    if (s->agree.signals.rebuild || !skin_due(s->search.skin, &s->classes))
+void decide_measure(struct agree *agree, struct skin *skin, const struct particles *particles,
+                    const struct size_classes *classes, const struct comm *comm) {
+    if (agree->signals.rebuild || !skin_due(skin, classes))
         return;
-    s->agree.signals.rebuild = skin_surely_due(s->search.skin, &s->classes);
-    if (s->agree.signals.rebuild)
+    agree->signals.rebuild = skin_surely_due(skin, classes);
+    if (agree->signals.rebuild)
         return;
-    decide_displacements(s->search.skin, s->particles, s->classes.count, s->comm);
-    s->agree.signals.rebuild = skin_due(s->search.skin, &s->classes);
+    decide_displacements(skin, particles, classes->count, comm);
+    agree->signals.rebuild = skin_due(skin, classes);
 }
 
 void decide_run(struct simulation *s) {
     decide_begin(s);
-    decide_end(s);
-    decide_measure(s);
+    decide_end(&s->agree, s->search.skin, s->classes.count, s->ranks.alone);
+    decide_measure(&s->agree, s->search.skin, s->particles, &s->classes, s->comm);
 }

@@ -18,15 +18,16 @@ static double shear_target(const struct scene *scene, const struct box *box) {
     return motion->shears ? scene->stress.shear[motion->flow + motion->gradient - 1] : NAN;
 }
 
-void deform_prepare(struct simulation *s) {
-    s->servo.on = s->scene->stress_given;
-    s->servo.drift = s->box.motion.shear;
-    s->servo.shears = s->servo.on && !isnan(shear_target(s->scene, &s->box));
-    if (s->box.motion.moves)
-        skin_follow(s->search.skin, &s->box);
-    if (s->servo.on && s->scene->reproducible)
-        s->servo.exact =
-            memory_allocate_zero((size_t)s->threads, sizeof *s->servo.exact, "sums of the stress");
+void deform_prepare(struct box_servo *servo, const struct box *box, const struct scene *scene,
+                    struct skin *skin, int threads) {
+    servo->on = scene->stress_given;
+    servo->threads = threads;
+    servo->drift = box->motion.shear;
+    servo->shears = servo->on && !isnan(shear_target(scene, box));
+    if (box->motion.moves)
+        skin_follow(skin, box);
+    if (servo->on && scene->reproducible)
+        servo->exact = memory_allocate_zero((size_t)threads, sizeof *servo->exact, "sums of the stress");
 }
 
 void deform_free(struct box_servo *servo) {
@@ -58,26 +59,27 @@ static void sum_exactly(const struct comm *comm, struct exact *sum, int n, doubl
         value[c] = exact_value(&sum[c]);
 }
 
-void deform_begin(struct simulation *s) {
+void deform_begin(struct box_servo *servo, const struct box *box, const struct scene *scene,
+                  const struct particles *particles, const struct comm *comm) {
     struct exact exact[3] = {0};
     double sum[3];
-    if (!s->servo.on || s->servo.mass > 0) /* of a checkpoint */
+    if (!servo->on || servo->mass > 0) /* of a checkpoint */
         return;
-    const uint8_t *kind = kinds_of(s->particles);
-    for (size_t k = 0; k < s->particles->owned; k++) {
-        const struct particle_state *state = &s->particles->state[k];
+    const uint8_t *kind = kinds_of(particles);
+    for (size_t k = 0; k < particles->owned; k++) {
+        const struct particle_state *state = &particles->state[k];
         if (kind && kind[k] != KIND_GRAIN) /* a body is there by its members */
             continue;
         exact_add(&exact[0], state->inverse_mass > 0 ? 1 / state->inverse_mass : 0);
         exact_add(&exact[1], 4.0 / 3 * M_PI * state->radius * state->radius * state->radius);
         exact_add(&exact[2], 1);
     }
-    sum_exactly(s->comm, exact, 3, sum);
-    s->servo.mass = sum[0];
+    sum_exactly(comm, exact, 3, sum);
+    servo->mass = sum[0];
     double diameter = cbrt(6 / M_PI * sum[1] / fmax(sum[2], 1)), density = sum[0] / sum[1];
-    if (s->box.dimension == 2) /* mass over area */
+    if (box->dimension == 2) /* mass over area */
         density *= 2.0 / 3 * diameter;
-    s->servo.bound = s->scene->stress.inertia / (diameter * sqrt(density));
+    servo->bound = scene->stress.inertia / (diameter * sqrt(density));
 }
 
 static double volume_of(const struct box *box) {
@@ -96,46 +98,49 @@ static void flux_of(const struct box *box, const struct particle_state *state, d
 }
 
 /* The sums of stress_sum, the same on any layout. */
-static void stress_exactly(const struct simulation *s, double sum[STRESS_SUMS]) {
-    struct exact(*exact)[STRESS_SUMS] = s->servo.exact;
-    const struct physics_active *mover = s->physics.mover;
+static void stress_exactly(const struct box_servo *servo, const struct box *box,
+                           const struct particles *particles, const struct physics_active *mover,
+                           const struct comm *comm, double sum[STRESS_SUMS]) {
+    struct exact(*exact)[STRESS_SUMS] = servo->exact;
+    const size_t threads = (size_t)servo->threads;
 #pragma omp parallel for schedule(static, 1)
-    for (int t = 0; t < s->threads; t++) {
-        size_t first = s->particles->owned * (size_t)t / (size_t)s->threads;
-        size_t last = s->particles->owned * ((size_t)t + 1) / (size_t)s->threads;
+    for (size_t t = 0; t < threads; t++) {
+        size_t first = particles->owned * t / threads;
+        size_t last = particles->owned * (t + 1) / threads;
         for (size_t k = first; k < last; k++) {
             double flux[6];
-            flux_of(&s->box, &s->particles->state[k], flux);
+            flux_of(box, &particles->state[k], flux);
             for (int c = 0; c < 6; c++)
                 exact_add(&exact[t][c], flux[c]);
         }
     }
-    for (int t = 1; t < s->threads; t++)
+    for (size_t t = 1; t < threads; t++)
         for (int c = 0; c < STRESS_SUMS; c++)
             exact_join(&exact[0][c], &exact[t][c]);
     if (mover->row->mover->stress)
         mover->row->mover->stress(&mover->context, exact[0], sum);
-    sum_exactly(s->comm, exact[0], STRESS_SUMS, sum);
-    memset(exact, 0, (size_t)s->threads * sizeof *exact);
+    sum_exactly(comm, exact[0], STRESS_SUMS, sum);
+    memset(exact, 0, threads * sizeof *exact);
 }
 
 /* Sums over all ranks: stress times volume (6), and the elastic energy. */
-static void stress_sum(const struct simulation *s, double sum[STRESS_SUMS]) {
-    const struct physics_active *mover = s->physics.mover;
-    if (s->servo.exact) {
-        stress_exactly(s, sum);
+static void stress_sum(const struct box_servo *servo, const struct box *box,
+                       const struct particles *particles, const struct physics_active *mover,
+                       const struct comm *comm, double sum[STRESS_SUMS]) {
+    if (servo->exact) {
+        stress_exactly(servo, box, particles, mover, comm, sum);
         return;
     }
     memset(sum, 0, STRESS_SUMS * sizeof *sum);
     if (mover->row->mover->stress)
         mover->row->mover->stress(&mover->context, NULL, sum);
-    for (size_t k = 0; k < s->particles->owned; k++) {
+    for (size_t k = 0; k < particles->owned; k++) {
         double flux[6];
-        flux_of(&s->box, &s->particles->state[k], flux);
+        flux_of(box, &particles->state[k], flux);
         for (int c = 0; c < 6; c++)
             sum[c] += flux[c];
     }
-    comm_sum(s->comm, sum, 7);
+    comm_sum(comm, sum, STRESS_SUMS);
 }
 
 static double limited(double rate, double bound) {
@@ -144,7 +149,7 @@ static double limited(double rate, double bound) {
 
 /* What the servo knows of the packing. */
 struct packing {
-    double density, modulus;
+    double density, modulus, pressure;
 };
 
 /* The rate of an edge at which the stress is `excess` above its target; `scale` is a stress of the size of the
@@ -155,38 +160,38 @@ static double rate_of(const struct box_servo *servo, const struct packing *packi
     return limited(impedance > 0 ? excess / impedance / edge : 0, servo->bound * sqrt(scale));
 }
 
-/* Sets the rate of the shear. */
-static void shear_control(struct simulation *s, const struct packing *packing, double stress,
-                          double pressure) {
-    struct box_motion *motion = &s->box.motion;
-    double target = shear_target(s->scene, &s->box);
+/* Sets the rate of the shear, by a shear stress and its target (no number: none) over a step. */
+static void shear_control(struct box_servo *servo, struct box *box, const struct packing *packing,
+                          double stress, double target, double dt) {
+    struct box_motion *motion = &box->motion;
     if (isnan(target)) {
-        s->servo.drift = motion->shear;
+        servo->drift = motion->shear;
         return;
     }
-    double scale = fmax(fabs(target), pressure), bound = s->servo.bound * sqrt(fmax(scale, 0)), longest = 0;
+    double scale = fmax(fabs(target), packing->pressure), bound = servo->bound * sqrt(fmax(scale, 0)),
+           longest = 0;
     double excess = stress - target;
-    for (int d = 0; d < s->box.dimension; d++)
-        longest = fmax(longest, s->box.edge[d]);
-    double more = s->evaluation.dt * excess / (SHEAR_INERTIA * packing->density * longest * longest);
-    s->servo.drift = limited(s->servo.drift + more, bound);
-    motion->shear = limited(
-        s->servo.drift + SHEAR_GAIN * rate_of(&s->servo, packing, excess, fmax(scale, 0), longest), bound);
+    for (int d = 0; d < box->dimension; d++)
+        longest = fmax(longest, box->edge[d]);
+    double more = dt * excess / (SHEAR_INERTIA * packing->density * longest * longest);
+    servo->drift = limited(servo->drift + more, bound);
+    motion->shear =
+        limited(servo->drift + SHEAR_GAIN * rate_of(servo, packing, excess, fmax(scale, 0), longest), bound);
 }
 
-void deform_flow(struct simulation *s) {
+void deform_flow(struct box *box, struct particles *particles) {
     double change[4];
     struct fields_flow flow[FIELDS_MAX];
-    const int flows = fields_flowing(s->particles, flow);
-    const uint8_t *kind = kinds_of(s->particles);
-    if (!box_follow(&s->box, change))
+    const int flows = fields_flowing(particles, flow);
+    const uint8_t *kind = kinds_of(particles);
+    if (!box_follow(box, change))
         return;
 #pragma omp parallel for schedule(static)
-    for (size_t k = 0; k < s->particles->owned; k++) {
+    for (size_t k = 0; k < particles->owned; k++) {
         double more[3];
-        box_accelerate(&s->box, change, s->particles->state[k].x, more);
+        box_accelerate(box, change, particles->state[k].x, more);
         for (int d = 0; d < 3; d++)
-            s->particles->state[k].v[d] += more[d];
+            particles->state[k].v[d] += more[d];
         for (int f = 0; f < flows; f++)
             for (int d = 0; d < 3 && (!flow[f].kinds || (flow[f].kinds >> kind[k] & 1)); d++)
                 flow[f].value[k][d] += more[d];
@@ -199,14 +204,15 @@ void deform_control(struct simulation *s) {
     int n = s->box.dimension;
     double sum[STRESS_SUMS], *stretch = s->box.motion.stretch, work = 0, longest = 0,
                              volume = volume_of(&s->box);
-    stress_sum(s, sum);
+    stress_sum(&s->servo, &s->box, s->particles, s->physics.mover, s->comm, sum);
     for (int d = 0; d < n; d++) {
         work += sum[d];
         longest = fmax(longest, s->box.edge[d]);
     }
-    const struct packing packing = {.density = s->servo.mass / volume,
-                                    .modulus = sum[6] > 0 ? 0.3 * work * work / (sum[6] * volume) : 0};
     double mean = work / volume / n;
+    const struct packing packing = {.density = s->servo.mass / volume,
+                                    .modulus = sum[6] > 0 ? 0.3 * work * work / (sum[6] * volume) : 0,
+                                    .pressure = mean};
     for (int d = 0; d < n; d++) {
         double target = wanted->normal[d];
         if (!isnan(wanted->pressure))
@@ -214,7 +220,9 @@ void deform_control(struct simulation *s) {
         else if (!isnan(target))
             stretch[d] = rate_of(&s->servo, &packing, sum[d] / volume - target, target, s->box.edge[d]);
     }
-    shear_control(s, &packing, motion->shears ? sum[2 + motion->flow + motion->gradient] / volume : 0, mean);
+    shear_control(&s->servo, &s->box, &packing,
+                  motion->shears ? sum[2 + motion->flow + motion->gradient] / volume : 0,
+                  shear_target(s->scene, &s->box), s->evaluation.dt);
 }
 
 /* Stops the run before an edge is too short for its particles. */
@@ -236,10 +244,11 @@ static void check_edges(const struct box *box, const struct size_classes *classe
     }
 }
 
-void deform_advance(struct simulation *s) {
-    box_advance(&s->box, s->clock.dt);
-    check_edges(&s->box, &s->classes, &s->clock, &s->error);
-    interactions_follow(&s->search.interactions, &s->box);
+void deform_advance(struct box *box, struct interactions *interactions, const struct size_classes *classes,
+                    const struct clock *clock, struct error *error) {
+    box_advance(box, clock->dt);
+    check_edges(box, classes, clock, error);
+    interactions_follow(interactions, box);
 }
 
 void deform_settle(struct box *box, struct domain *domain) {

@@ -8,15 +8,17 @@
 
 #include "engine/state.h"
 
-/* Prepares the parts of a simulation whose box moves, once they exist; and frees what it made. */
-void deform_prepare(struct simulation *simulation);
+/* Prepares the servo, and the skin of a box that moves, once the skin exists; and frees what it made. */
+void deform_prepare(struct box_servo *servo, const struct box *box, const struct scene *scene,
+                    struct skin *skin, int threads);
 void deform_free(struct box_servo *servo);
 
 /* Adds the mean flow to the velocities of the owned particles, if the scene asks for this: at the start. */
 void deform_start(const struct box *box, const struct scene *scene, struct particles *particles);
 
 /* Prepares the servo of the stress, once the particles are known. Collective. */
-void deform_begin(struct simulation *simulation);
+void deform_begin(struct box_servo *servo, const struct box *box, const struct scene *scene,
+                  const struct particles *particles, const struct comm *comm);
 
 /* After the forces of a step: sets the rates of the edges and of the shear that follow the stress. The edge along d moves at the speed (stress - target) / Z, where Z = sqrt(rho K) is
  * the acoustic impedance of the packing, so that the face of the box takes up sound as more of the packing would.
@@ -28,10 +30,11 @@ void deform_control(struct simulation *simulation);
 
 /* Before a step: gives the particles the change of the mean flow, if the rates of the box have changed, or if its
  * edges have. */
-void deform_flow(struct simulation *simulation);
+void deform_flow(struct box *box, struct particles *particles);
 
-/* Moves the box by a step. */
-void deform_advance(struct simulation *simulation);
+/* Moves the box by a step of the clock, and the pairs with it. An error if an edge becomes too short for the particles. */
+void deform_advance(struct box *box, struct interactions *interactions, const struct size_classes *classes,
+                    const struct clock *clock, struct error *error);
 
 /* Prepares the box for a rebuild: before positions are wrapped. */
 void deform_settle(struct box *box, struct domain *domain);

@@ -70,8 +70,8 @@ static void copies_run(struct simulation *s) {
 }
 
 static void verify_run(struct simulation *s) {
-    decide_end(s);
-    decide_measure(s);
+    decide_end(&s->agree, s->search.skin, s->classes.count, s->ranks.alone);
+    decide_measure(&s->agree, s->search.skin, s->particles, &s->classes, s->comm);
     if (!s->agree.signals.rebuild)
         return;
     size_t doubles = (s->particles->owned + s->particles->ghosts) * (size_t)s->particles->force_stride;
@@ -91,6 +91,7 @@ const struct engine_pass fused_sweep[] = {{"plan", "new pairs", "pairs", 0, plan
                                           {"verify", NULL, "decide", 0, verify_run},
                                           {0}};
 
-bool fused_due(const struct simulation *s) {
-    return s->scene->step.fused && !s->agree.signals.rebuild && !skin_nearly_due(s->search.skin, &s->classes);
+bool fused_due(bool fused, const struct step_signals *signals, const struct skin *skin,
+               const struct size_classes *classes) {
+    return fused && !signals->rebuild && !skin_nearly_due(skin, classes);
 }

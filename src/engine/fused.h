@@ -20,8 +20,9 @@
 /* The passes of the engine's own from the first move to the last sum over pairs of the sweep's list, for plan_make. */
 extern const struct engine_pass fused_sweep[];
 
-/* True if the step that begins has the fused order: the scene allows it, and no rebuild is due, or will be after one more step
- * like the last. */
-bool fused_due(const struct simulation *simulation);
+/* True if the step that begins has the fused order: the scene allows it (`fused`), and no rebuild is due, or will be after one
+ * more step like the last. */
+bool fused_due(bool fused, const struct step_signals *signals, const struct skin *skin,
+               const struct size_classes *classes);
 
 #endif

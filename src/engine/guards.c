@@ -15,12 +15,6 @@ enum { ENERGY_EVERY = 20, ENERGY_EVERY_AUTO = 100 };
  * such a gain is no drift, but energy that grows without bound. */
 #define ENERGY_AUTO 10
 
-/* Stops or warns. */
-static void guard_trip(struct simulation *s, enum scene_guard guard, enum guard_kind which,
-                       const char *text) {
-    trip(guard, text, &s->error, &s->caller.log, &s->guards.warned[which]);
-}
-
 /* The fastest of the free and moved particles of this rank. */
 static size_t fastest_find(const struct particles *particles, double *speed) {
     size_t worst = 0;
@@ -67,7 +61,7 @@ static void guard_speed(struct simulation *s) {
     double fastest = fastest_drift(&s->search, s->threads, s->classes.count, &finite),
            bound = least_radius(&s->classes), speed;
     if (!finite) {
-        guards_check_finite(s);
+        guards_check_finite(s->particles, &s->box, &s->physics, &s->clock, &s->error);
         return;
     }
     if (s->scene->guards.speed == SCENE_GUARD_OFF || s->classes.count == 0 ||
@@ -82,13 +76,7 @@ static void guard_speed(struct simulation *s) {
              "guards.speed: %s moves %.3g in a step, more than the smallest radius %.3g: it may pass through "
              "others unseen (step %llu, t = %.9g)",
              one, speed * s->clock.dt, bound, (unsigned long long)s->clock.step, s->clock.time);
-    guard_trip(s, s->scene->guards.speed, GUARD_SPEED, text);
-}
-
-void guards_step(struct simulation *s, const char *text) {
-    if (s->comm->rank > 0 && s->scene->guards.step == SCENE_GUARD_WARN)
-        return;
-    guard_trip(s, s->scene->guards.step, GUARD_STEP, text);
+    trip(s->scene->guards.speed, text, &s->error, &s->caller.log, &s->guards.warned[GUARD_SPEED]);
 }
 
 void guards_check(struct simulation *s) {
@@ -113,8 +101,9 @@ static const char *strange_of(const struct particles *p, const double (*omega)[4
 }
 
 /* Places that are not numbers would break the search, and other numbers spoil one another, so they always stop the run. */
-void guards_check_finite(struct simulation *s) {
-    const struct particles *p = s->particles;
+void guards_check_finite(struct particles *p, const struct box *box, const struct physics_set *set,
+                         const struct clock *clock, struct error *error) {
+    const struct physics_active *obstacles = set->obstacles;
     const double(*omega)[4] = spin_values(p);
     size_t bad = p->owned, count = 0;
 #pragma omp parallel for schedule(static) reduction(min : bad) reduction(+ : count)
@@ -123,18 +112,18 @@ void guards_check_finite(struct simulation *s) {
             bad = k < bad ? k : bad;
             count++;
         }
-    if (s->physics.obstacles)
-        s->physics.obstacles->row->obstacles->finite(&s->physics.obstacles->context, &s->error);
+    if (obstacles)
+        obstacles->row->obstacles->finite(&obstacles->context, error);
     if (count == 0)
         return;
     char one[TRIP_NAME_MAX], others[64] = "";
-    trip_name(p, &s->box, bad, one);
+    trip_name(p, box, bad, one);
     if (count > 1)
         snprintf(others, sizeof others, " (and of %zu more)", count - 1);
-    error_set(&s->error, ERROR_PHYSICS,
+    error_set(error, ERROR_PHYSICS,
               "guards.nan: %s of %s%s is not finite at step %llu, t = %.9g: the time step is too large, "
               "particles coincide, or a law or a force of the user's gives no number",
-              strange_of(p, omega, bad), one, others, (unsigned long long)s->clock.step, s->clock.time);
+              strange_of(p, omega, bad), one, others, (unsigned long long)clock->step, clock->time);
     for (size_t k = bad; k < p->owned; k++) {
         struct particle_state *state = &p->state[k];
         bool lost = !state_finite(state);
@@ -266,5 +255,6 @@ void guards_check_energy(struct simulation *s) {
         "%llu, t = %.9g; fastest is %s with %.3g: the time step is too large, or a law is given wrongly",
         growth, growth / energy->in_play, energy->in_play, bound, (unsigned long long)s->clock.step,
         s->clock.time, one, speed);
-    guard_trip(s, energy->mechanical ? SCENE_GUARD_STOP : s->scene->guards.energy, GUARD_ENERGY, text);
+    trip(energy->mechanical ? SCENE_GUARD_STOP : s->scene->guards.energy, text, &s->error, &s->caller.log,
+         &s->guards.warned[GUARD_ENERGY]);
 }

@@ -10,17 +10,14 @@
  * simulation is complete except for the first forces. */
 bool guards_prepare(struct simulation *simulation, struct error *error);
 
-/* Stops or warns, as the scene says, if contacts have become too stiff for the time step (`text`). Called on
- * all ranks alike. */
-void guards_step(struct simulation *simulation, const char *text);
-
 /* Runs the guards of all physics, and that of speed, after a force evaluation; costs no time. */
 void guards_check(struct simulation *simulation);
 
 /* Stops the run if a position, velocity, spin or force of an owned particle, or the motion of a wall or the force on it, is
  * not finite; a pass over all particles. Between two calls guards_check finds velocities and spins as particles move.
- * Places and velocities that are not finite become 0, so that a search ends. */
-void guards_check_finite(struct simulation *simulation);
+ * Places and velocities that are not finite become 0, so that a search ends. The error names step and time. */
+void guards_check_finite(struct particles *particles, const struct box *box, const struct physics_set *set,
+                         const struct clock *clock, struct error *error);
 
 /* Finds particles that particles_wrap left outside of a periodic box because it could not count their
  * crossings; a pass over all particles. */

@@ -83,29 +83,31 @@ static bool grid_serves(const int wanted[3], int ranks, const int grid[3]) {
     return (int64_t)grid[0] * grid[1] * grid[2] == ranks;
 }
 
-void load_lay(struct simulation *s, const int resumed[3]) {
+void load_lay(struct ranks *ranks, const struct particles *particles, const struct box *box,
+              const struct comm *comm, const int wanted[3], const int resumed[3]) {
     int grid[3];
-    if (s->ranks.alone || domain_bisects(s->ranks.domain))
+    if (ranks->alone || domain_bisects(ranks->domain))
         return;
-    if (grid_serves(s->scene->domain.grid, s->comm->size, resumed)) {
+    if (grid_serves(wanted, comm->size, resumed)) {
         memcpy(grid, resumed, sizeof grid);
     } else {
-        double *density = load_map(s->particles, &s->box, s->comm);
-        domain_grid_choose(s->comm->size, &s->box, s->scene->domain.grid, density, grid);
+        double *density = load_map(particles, box, comm);
+        domain_grid_choose(comm->size, box, wanted, density, grid);
         memory_free(density);
     }
-    domain_lay(s->ranks.domain, grid);
-    domain_wrap(s->ranks.domain, s->ranks.wrap);
+    domain_lay(ranks->domain, grid);
+    domain_wrap(ranks->domain, ranks->wrap);
 }
 
-void load_begin(struct simulation *s) {
-    if (s->ranks.alone || !domain_bisects(s->ranks.domain) || s->ranks.load.begun)
+void load_begin(struct ranks *ranks, const struct particles *particles, const struct box *box,
+                const struct comm *comm) {
+    if (ranks->alone || !domain_bisects(ranks->domain) || ranks->load.begun)
         return;
-    s->ranks.load.begun = true;
-    double *weight = memory_allocate(s->particles->owned, sizeof *weight, "weights");
-    for (size_t k = 0; k < s->particles->owned; k++)
+    ranks->load.begun = true;
+    double *weight = memory_allocate(particles->owned, sizeof *weight, "weights");
+    for (size_t k = 0; k < particles->owned; k++)
         weight[k] = 1;
-    divide(&s->ranks, s->particles, &s->box, s->comm, weight);
+    divide(ranks, particles, box, comm, weight);
     memory_free(weight);
 }
 

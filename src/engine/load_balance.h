@@ -5,17 +5,19 @@
 
 #include "engine/state.h"
 
-/* Lays the bricks by the positions of the particles of all ranks, or with the grid of a resume's checkpoint
- * (`resumed`: ranks per direction, 0: none) if that grid fits. Before the first rebuild; does nothing for a
- * bisection. Collective. */
-void load_lay(struct simulation *simulation, const int resumed[3]);
+/* Lays the bricks by the positions of the particles of all ranks and the grid that the scene wants (`wanted`: ranks per
+ * direction, 0: any), or with the grid of a resume's checkpoint (`resumed`, 0: none) if that grid fits. Before the first
+ * rebuild; does nothing for a bisection. Collective. */
+void load_lay(struct ranks *ranks, const struct particles *particles, const struct box *box,
+              const struct comm *comm, const int wanted[3], const int resumed[3]);
 
 /* The map of the particles of all ranks for domain_grid_choose; memory_free. Collective. */
 double *load_map(const struct particles *particles, const struct box *box, const struct comm *comm);
 
 /* Divides the box by the numbers of particles, once, before the first migration. Does nothing for bricks.
  * Collective. */
-void load_begin(struct simulation *simulation);
+void load_begin(struct ranks *ranks, const struct particles *particles, const struct box *box,
+                const struct comm *comm);
 
 /* Divides the box by the tree of a checkpoint written on as many ranks; becomes the owner of the tree.
  * `fresh`: the imbalance has not been measured since the division. `reached`: the imbalance after the

@@ -90,28 +90,27 @@ bool outputs_due(const struct outputs *o, const struct clock *clock, uint64_t st
     return false;
 }
 
-bool outputs_write(struct outputs *o, const struct simulation *s, struct error *error) {
+bool outputs_write(struct outputs *o, const struct output_view *view, const struct physics_set *set,
+                   const struct clock *clock, struct error *error) {
     const struct output_options *options = o->options;
-    const struct clock *clock = &s->clock;
-    struct output_view view = simulation_view(s);
     bool good = true;
     if (o->observables &&
         output_interval_due(&options->observables.every, clock->step, clock->time, clock->dt))
-        good = row_write(o, &view, error);
+        good = row_write(o, view, error);
     if (good && o->h5md &&
         output_interval_due(&options->trajectory.every, clock->step, clock->time, clock->dt))
-        good = frame_write(o, &view, true, error);
+        good = frame_write(o, view, true, error);
     if (good && o->h5md &&
         output_interval_due(&options->trajectory.contacts, clock->step, clock->time, clock->dt))
-        good = contacts_write(o, &view, error);
+        good = contacts_write(o, view, error);
     if (good && o->dump && output_interval_due(&options->dump.every, clock->step, clock->time, clock->dt))
-        good = frame_write(o, &view, false, error);
+        good = frame_write(o, view, false, error);
     if (good && o->walls && output_interval_due(&options->walls.every, clock->step, clock->time, clock->dt))
-        good = wall_frames_write(o->walls, &view, error);
+        good = wall_frames_write(o->walls, view, error);
     for (int k = 0; good && k < options->observables.grids; k++)
         if (grid_due(o, clock, clock->step, k))
-            good = observables_grid_write(o->grid[k], &view, error);
-    return good && (!outputs_due(o, clock, clock->step) || outputs_tables(&s->physics, s->comm, error));
+            good = observables_grid_write(o->grid[k], view, error);
+    return good && (!outputs_due(o, clock, clock->step) || outputs_tables(set, view->comm, error));
 }
 
 bool outputs_tables(const struct physics_set *set, const struct comm *comm, struct error *error) {

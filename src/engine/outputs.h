@@ -9,9 +9,10 @@
 
 struct outputs;
 
-/* The data that stay the same for the writers of a run. Borrows the simulation and the directory, which may
- * be NULL if nothing is written. */
-struct output_run outputs_run(const struct simulation *simulation, const char *directory);
+/* The data that stay the same for the writers of a run. Borrows all but the box; the directory may be NULL if nothing is
+ * written. */
+struct output_run outputs_run(const struct scene *scene, const struct box *box, const struct lineage *lineage,
+                              const char *directory);
 
 /* Checks the outputs that the scene asks for; writes nothing. `run` and its strings are borrowed until the
  * end. Errors (user) name the place in the scene. Collective. */
@@ -21,9 +22,10 @@ bool outputs_create(struct outputs **outputs, const struct simulation *simulatio
 /* True if a resumed run can go on with the files in its folder. Changes nothing. Collective. */
 bool outputs_go_on(const struct outputs *outputs, const struct comm *comm, struct error *error);
 
-/* Opens the files in run->directory; a resume continues the existing files. Collective. */
-bool outputs_open(struct outputs *outputs, const struct simulation *simulation, bool resumed,
-                  struct error *error);
+/* Opens the files in run->directory, and the tables of the physics; a resume continues the existing files at the step of
+ * the view. Collective. */
+bool outputs_open(struct outputs *outputs, const struct output_view *view, const struct physics_set *set,
+                  bool resumed, struct error *error);
 
 /* Tells whether the step to come writes observables that need sums, so that its forces compute them. */
 bool outputs_want_sums(const struct outputs *outputs, const struct clock *clock, uint64_t step);
@@ -38,8 +40,9 @@ bool outputs_sum_each_step(const struct outputs *outputs);
  * then be computed (physics_look). */
 bool outputs_due(const struct outputs *outputs, const struct clock *clock, uint64_t step);
 
-/* Writes all outputs that are due at the present step. Collective. */
-bool outputs_write(struct outputs *outputs, const struct simulation *simulation, struct error *error);
+/* Writes all outputs that are due at the present step, that of the view, and then the tables of the physics. Collective. */
+bool outputs_write(struct outputs *outputs, const struct output_view *view, const struct physics_set *set,
+                   const struct clock *clock, struct error *error);
 
 /* Writes the rows that wait of the tables of physics. Collective. */
 bool outputs_tables(const struct physics_set *set, const struct comm *comm, struct error *error);

@@ -35,24 +35,26 @@ static bool id_there(const struct particles *particles, const struct comm *comm,
 
 /* Refuses ids that no particle has or will have: the scene inserts none. In a resumed run a particle may have
  * left before. Collective. */
-static bool observables_check_ids(const struct simulation *s, struct error *error) {
-    const struct observables_options *options = &s->scene->output.observables;
-    for (int k = 0; s->scene->insertions == 0 && k < options->count; k++) {
+static bool observables_check_ids(const struct scene *scene, const struct particles *particles,
+                                  const struct comm *comm, int64_t next_id, bool resumed,
+                                  struct error *error) {
+    const struct observables_options *options = &scene->output.observables;
+    for (int k = 0; scene->insertions == 0 && k < options->count; k++) {
         int64_t id = options->request[k].id;
         char key[64];
-        if (id <= 0 || (s->resumed.dt > 0 ? id < s->sources.next_id : id_there(s->particles, s->comm, id)))
+        if (id <= 0 || (resumed ? id < next_id : id_there(particles, comm, id)))
             continue;
         snprintf(key, sizeof key, "observables.list[%d].id", k);
         error_set(error, ERROR_USER, "%s: there is no particle %lld; ids go up to %lld", key, (long long)id,
-                  (long long)s->sources.next_id - 1);
-        return fail_at(s->scene, key, error);
+                  (long long)next_id - 1);
+        return fail_at(scene, key, error);
     }
     return true;
 }
 
 static bool observables_prepare(struct outputs *o, const struct simulation *s, struct error *error) {
     struct output_view view = simulation_view(s);
-    if (!observables_check_ids(s, error))
+    if (!observables_check_ids(s->scene, s->particles, s->comm, s->sources.next_id, s->resumed.dt > 0, error))
         return false;
     return observables_create(&o->observables, &o->options->observables, &view, o->run, error) ||
            fail_at(s->scene, "observables.list", error);
@@ -89,15 +91,14 @@ static bool files_open(struct outputs *o, const struct comm *comm, int64_t step,
            wall_frames_open(&o->walls, comm, o->run->directory, step, error);
 }
 
-struct output_run outputs_run(const struct simulation *s, const char *directory) {
-    const struct scene *scene = s->scene;
+struct output_run outputs_run(const struct scene *scene, const struct box *box, const struct lineage *lineage,
+                              const char *directory) {
     struct output_run run = {.directory = directory,
-                             .scene =
-                                 s->lineage.count > 0 ? s->lineage.run[s->lineage.count - 1].scene : NULL,
-                             .lineage = &s->lineage,
+                             .scene = lineage->count > 0 ? lineage->run[lineage->count - 1].scene : NULL,
+                             .lineage = lineage,
                              .dimensionless = scene->units == SCENE_UNITS_NONE,
                              .varying = scene->stages > 1 || scene->insertions > 0 || scene->deletions > 0 ||
-                                        box_may_lose(&s->box),
+                                        box_may_lose(box),
                              .seed = scene->seed,
                              .materials = scene->materials,
                              .material = scene->material,
@@ -142,15 +143,15 @@ bool outputs_go_on(const struct outputs *o, const struct comm *comm, struct erro
     return !present || h5md_suits(comm, path, o->run->varying, error);
 }
 
-bool outputs_open(struct outputs *o, const struct simulation *s, bool resumed, struct error *error) {
-    const struct output_view view = simulation_view(s);
-    int64_t step = resumed ? (int64_t)s->clock.step : -1;
-    bool good = o->observables == NULL || observables_open(o->observables, s->comm, o->run->directory,
-                                                           resumed ? s->clock.time : -1, error);
-    good = good && grids_open(o, &view, resumed, error) && files_open(o, s->comm, step, error);
-    PHYSICS_EACH (active, &s->physics, table)
+bool outputs_open(struct outputs *o, const struct output_view *view, const struct physics_set *set,
+                  bool resumed, struct error *error) {
+    int64_t step = resumed ? (int64_t)view->step : -1;
+    bool good = o->observables == NULL || observables_open(o->observables, view->comm, o->run->directory,
+                                                           resumed ? view->time : -1, error);
+    good = good && grids_open(o, view, resumed, error) && files_open(o, view->comm, step, error);
+    PHYSICS_EACH (active, set, table)
         good = good && active->row->table->open(&active->context, o->run->directory, step, error);
-    return comm_agree(s->comm, error) && good;
+    return comm_agree(view->comm, error) && good;
 }
 
 bool outputs_close(struct outputs **outputs, const struct comm *comm, struct error *error) {

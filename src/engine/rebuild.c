@@ -90,25 +90,22 @@ static void attach(struct simulation *s, struct rebuild_rows *rows) {
     skin_reset(s->search.skin, s->particles);
 }
 
-static void ghosts_pass(struct simulation *s, struct rebuild_rows *rows) {
-    (void)rows;
+static void ghosts_pass(struct simulation *s) {
     if (!s->ranks.alone)
         ghosts_make(s->ranks.ghosts, s->particles, &s->classes);
     if (s->error.kind == ERROR_NONE)
         ghosts_fit(s->ranks.ghosts, &s->error);
 }
 
-static void index_pass(struct simulation *s, struct rebuild_rows *rows) {
-    (void)rows;
+static void index_pass(struct simulation *s) {
     simulation_index_view(s, &s->search.view);
     s->search.view.ordered = true;
     index_build(s->search.index, &s->search.view);
     s->search.revision = s->particles->revision;
 }
 
-static void pairs_pass(struct simulation *s, struct rebuild_rows *rows) {
+static void pairs_pass(struct simulation *s) {
     double start = timer_now();
-    (void)rows;
     pairlist_build(s->search.interactions.all, s->search.index, &s->search.view, &s->box);
     if (s->scene->ghosts.in_place && !s->ranks.alone)
         pairlist_add_images(s->search.interactions.all, s->particles->owned,
@@ -121,8 +118,7 @@ static void pairs_pass(struct simulation *s, struct rebuild_rows *rows) {
 
 /* Copies without a pair do not travel in the step. Grains read copies through pairs alone; other physics and the
  * calling program may read any copy. */
-static void used_pass(struct simulation *s, struct rebuild_rows *rows) {
-    (void)rows;
+static void used_pass(struct simulation *s) {
     if (s->physics.count > 1 || s->caller.force)
         return;
     uint8_t *used = memory_allocate_zero(s->particles->ghosts, 1, "copies in use");
@@ -142,15 +138,13 @@ static void classify(struct simulation *s, struct rebuild_rows *rows) {
     particles_classify_from(s->particles, &s->classes, first);
 }
 
-static void obstacles_pass(struct simulation *s, struct rebuild_rows *rows) {
-    (void)rows;
+static void obstacles_pass(struct simulation *s) {
     s->physics.obstacles->row->obstacles->search(&s->physics.obstacles->context);
 }
 
 /* If images matter, springs find their pairs by separations, so copies must follow the present positions of
  * their originals. */
-static void follow(struct simulation *s, struct rebuild_rows *rows) {
-    (void)rows;
+static void follow(struct simulation *s) {
     if (one_image(&s->classes, &s->box))
         return;
     struct field_list fields = fields_with(s->particles, FIELD_FORWARD);
@@ -158,22 +152,12 @@ static void follow(struct simulation *s, struct rebuild_rows *rows) {
     ghosts_forward_end(s->ranks.ghosts, s->particles);
 }
 
-static void skin_pass(struct simulation *s, struct rebuild_rows *rows) {
-    (void)rows;
-    skin_auto_choose(s);
-}
-
-static void balance(struct simulation *s, struct rebuild_rows *rows) {
-    (void)rows;
-    load_balance(s);
-}
-
 static void detach(struct simulation *s, struct rebuild_rows *rows) {
     bool given = s->sources.given.added > 0 || s->sources.given.taken > 0;
     bool none_lost = !given && !sources_due(&s->sources, s->scene, &s->clock) && !box_may_lose(&s->box);
     bool keeps = s->search.history && none_lost && one_image(&s->classes, &s->box);
     if (!keeps)
-        rebuild_detach(s, !s->ranks.alone, rows);
+        rebuild_detach(&s->search, &s->physics, s->particles, !s->ranks.alone, rows);
     else
         rebuild_detach_obstacles(&s->physics, rows);
     rows->keep = keeps;
@@ -201,7 +185,7 @@ static void wrap(struct simulation *s, struct rebuild_rows *rows) {
     rows->revision = s->particles->revision;
     if (particles_wrap(s->particles, &box))
         return;
-    guards_check_finite(s);
+    guards_check_finite(s->particles, &s->box, &s->physics, &s->clock, &s->error);
     guards_check_images(s->particles, &s->box, &s->clock, &s->error);
 }
 
@@ -210,7 +194,7 @@ static void come_and_go(struct simulation *s, struct rebuild_rows *rows) {
     sources_run(s, rows);
     if (obstacles)
         obstacles->row->obstacles->changed(&obstacles->context);
-    load_begin(s);
+    load_begin(&s->ranks, s->particles, &s->box, s->comm);
 }
 
 /* Where nothing moves the search has done its work. */
@@ -234,55 +218,60 @@ static void tell_physics(struct simulation *s, struct rebuild_rows *rows) {
 enum { SEVERAL_RANKS = 1, SKIN_CHOSEN = 2, HISTORY = 4, HISTORY_KEPT = 8, OBSTACLES = 16, CARRIED_ROWS = 32 };
 
 /* What holds; `keep`: the history stays in place in this rebuild. */
-static unsigned what_holds(const struct simulation *s, bool keep) {
-    return (s->ranks.alone ? 0 : SEVERAL_RANKS) | (s->scene->classes.skin_auto ? SKIN_CHOSEN : 0) |
-           (s->search.history ? HISTORY : 0) | (keep ? HISTORY_KEPT : 0) |
-           (physics_meets(&s->physics) ? OBSTACLES : 0) |
-           (physics_next(&s->physics, NULL, offsetof(struct physics, rows)) ? CARRIED_ROWS : 0);
+static unsigned what_holds(const struct scene *scene, const struct ranks *ranks, const struct search *search,
+                           const struct physics_set *set, bool keep) {
+    return (ranks->alone ? 0 : SEVERAL_RANKS) | (scene->classes.skin_auto ? SKIN_CHOSEN : 0) |
+           (search->history ? HISTORY : 0) | (keep ? HISTORY_KEPT : 0) |
+           (physics_meets(set) ? OBSTACLES : 0) |
+           (physics_next(set, NULL, offsetof(struct physics, rows)) ? CARRIED_ROWS : 0);
 }
 
-/* A pass of the rebuild. */
+/* A pass of the rebuild: of histories on their way, or of all else. */
 struct rebuild_pass {
     const char *name, *why; /* why NULL: always */
     const char *timer;      /* its stage (stages.h) */
     unsigned needs;
-    void (*run)(struct simulation *s, struct rebuild_rows *rows);
+    void (*rows)(struct simulation *s, struct rebuild_rows *rows);
+    void (*whole)(struct simulation *s);
 };
 
 /* The passes of a rebuild. The passes before `carry` are left out if histories come from a checkpoint. */
 static const struct rebuild_pass passes[] = {
-    {"skin", "a skin that the run chooses", "decide", SKIN_CHOSEN, skin_pass},
-    {"balance", "several ranks", "migrate", SEVERAL_RANKS, balance},
-    {"stay", NULL, "migrate", 0, stay_decide},
-    {"follow", "history, several ranks", "comm", HISTORY | SEVERAL_RANKS, follow},
-    {"detach", "history", "history", HISTORY, detach},
-    {"carry", "pairs that a physics remembers", "history", CARRIED_ROWS, carry},
-    {"wrap", NULL, "migrate", 0, wrap},
-    {"sources", NULL, "migrate", 0, come_and_go},
-    {"part", "several ranks", "migrate", SEVERAL_RANKS, rebuild_part},
-    {"loosen", "history, several ranks", "history", HISTORY_KEPT | SEVERAL_RANKS, rebuild_loosen},
-    {"migrate", "several ranks", "migrate", SEVERAL_RANKS, rebuild_migrate},
-    {"classify", NULL, "migrate", 0, classify},
-    {"reorder", NULL, "reorder", 0, reorder},
-    {"ghosts", NULL, "ghosts", 0, ghosts_pass},
-    {"keep", "history", "history", HISTORY, keep},
-    {"index", NULL, "index", 0, index_pass},
-    {"pairs", NULL, "pairs", 0, pairs_pass},
-    {"used", "several ranks", "ghosts", SEVERAL_RANKS, used_pass},
-    {"walls", "walls", "wall", OBSTACLES, obstacles_pass},
-    {"attach", NULL, "history", 0, attach},
-    {"physics", NULL, "pairs", 0, tell_physics},
+    {"skin", "a skin that the run chooses", "decide", SKIN_CHOSEN, .whole = skin_auto_choose},
+    {"balance", "several ranks", "migrate", SEVERAL_RANKS, .whole = load_balance},
+    {"stay", NULL, "migrate", 0, .rows = stay_decide},
+    {"follow", "history, several ranks", "comm", HISTORY | SEVERAL_RANKS, .whole = follow},
+    {"detach", "history", "history", HISTORY, .rows = detach},
+    {"carry", "pairs that a physics remembers", "history", CARRIED_ROWS, .rows = carry},
+    {"wrap", NULL, "migrate", 0, .rows = wrap},
+    {"sources", NULL, "migrate", 0, .rows = come_and_go},
+    {"part", "several ranks", "migrate", SEVERAL_RANKS, .rows = rebuild_part},
+    {"loosen", "history, several ranks", "history", HISTORY_KEPT | SEVERAL_RANKS, .rows = rebuild_loosen},
+    {"migrate", "several ranks", "migrate", SEVERAL_RANKS, .rows = rebuild_migrate},
+    {"classify", NULL, "migrate", 0, .rows = classify},
+    {"reorder", NULL, "reorder", 0, .rows = reorder},
+    {"ghosts", NULL, "ghosts", 0, .whole = ghosts_pass},
+    {"keep", "history", "history", HISTORY, .rows = keep},
+    {"index", NULL, "index", 0, .whole = index_pass},
+    {"pairs", NULL, "pairs", 0, .whole = pairs_pass},
+    {"used", "several ranks", "ghosts", SEVERAL_RANKS, .whole = used_pass},
+    {"walls", "walls", "wall", OBSTACLES, .whole = obstacles_pass},
+    {"attach", NULL, "history", 0, .rows = attach},
+    {"physics", NULL, "pairs", 0, .rows = tell_physics},
 };
 enum { REBUILD_PASSES = sizeof passes / sizeof passes[0], REBUILD_CARRY = 5 };
 
 /* Returns true if another rebuild must follow. */
 static bool passes_run(struct simulation *s, struct rebuild_rows *rows, int first) {
     for (int p = first; p < REBUILD_PASSES; p++) {
-        if (passes[p].needs & ~what_holds(s, rows->keep))
+        if (passes[p].needs & ~what_holds(s->scene, &s->ranks, &s->search, &s->physics, rows->keep))
             continue;
         int stage = stages_find(&s->timers, passes[p].timer);
         timer_start(&s->timers, stage);
-        passes[p].run(s, rows);
+        if (passes[p].rows)
+            passes[p].rows(s, rows);
+        else
+            passes[p].whole(s);
         timer_stop(&s->timers, stage);
     }
     bool again = rows->again;
@@ -290,8 +279,9 @@ static bool passes_run(struct simulation *s, struct rebuild_rows *rows, int firs
     return again;
 }
 
-void rebuild_print(const struct simulation *s, FILE *file) {
-    unsigned never = ~what_holds(s, true);
+void rebuild_print(const struct scene *scene, const struct ranks *ranks, const struct search *search,
+                   const struct physics_set *set, FILE *file) {
+    unsigned never = ~what_holds(scene, ranks, search, set, true);
     for (int p = 0; p < REBUILD_PASSES; p++)
         if ((passes[p].needs & never) == 0)
             fprintf(file, "  %-10s %s%s\n", passes[p].name, passes[p].why ? "for " : "always",

@@ -10,7 +10,8 @@
 void rebuild_run(struct simulation *simulation);
 
 /* Prints the passes of a rebuild, a line each. */
-void rebuild_print(const struct simulation *simulation, FILE *file);
+void rebuild_print(const struct scene *scene, const struct ranks *ranks, const struct search *search,
+                   const struct physics_set *set, FILE *file);
 
 /* As rebuild_run, but with rows from a checkpoint; becomes the owner of the rows. */
 void rebuild_from_rows(struct simulation *simulation, struct rebuild_rows *rows);

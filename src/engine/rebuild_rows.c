@@ -9,10 +9,11 @@ void rebuild_detach_obstacles(const struct physics_set *set, struct rebuild_rows
         obstacles->row->obstacles->detach(&obstacles->context, &rows->obstacles);
 }
 
-void rebuild_detach(struct simulation *s, bool both_ends, struct rebuild_rows *rows) {
-    if (s->search.history)
-        history_detach(s->search.history, s->search.list, s->particles, both_ends, &rows->pairs);
-    rebuild_detach_obstacles(&s->physics, rows);
+void rebuild_detach(const struct search *search, const struct physics_set *set,
+                    const struct particles *particles, bool both_ends, struct rebuild_rows *rows) {
+    if (search->history)
+        history_detach(search->history, search->list, particles, both_ends, &rows->pairs);
+    rebuild_detach_obstacles(set, rows);
 }
 
 void rebuild_part(struct simulation *s, struct rebuild_rows *rows) {

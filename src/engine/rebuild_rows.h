@@ -28,7 +28,8 @@ struct rebuild_rows {
 };
 
 /* Makes the rows of contacts of pairs and with obstacles; of obstacles alone. */
-void rebuild_detach(struct simulation *simulation, bool both_ends, struct rebuild_rows *rows);
+void rebuild_detach(const struct search *search, const struct physics_set *set,
+                    const struct particles *particles, bool both_ends, struct rebuild_rows *rows);
 void rebuild_detach_obstacles(const struct physics_set *set, struct rebuild_rows *rows);
 
 /* The sets of rows that there may be: of pairs, of obstacles, of each other physics. */

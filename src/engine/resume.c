@@ -52,16 +52,14 @@ static void numbers_list(struct simulation *s, struct resume_numbers *own, struc
     }
 }
 
-static void numbers_put(struct simulation *s, struct checkpoint_numbers *n, struct resume_numbers *own) {
-    *n = (struct checkpoint_numbers){.step = s->clock.step,
-                                     .time = s->clock.time,
-                                     .dt = s->clock.dt,
-                                     .seed = s->scene->seed,
-                                     .next_id = s->sources.next_id};
-    domain_grid(s->ranks.domain, n->grid);
-    *own = (struct resume_numbers){.fraction = s->clock.dt_fraction,
-                                   .load_fresh = s->ranks.load.fresh,
-                                   .load_reached = s->ranks.load.reached};
+static void numbers_put(const struct clock *clock, const struct ranks *ranks, struct checkpoint_numbers *n,
+                        struct resume_numbers *own) {
+    n->step = clock->step;
+    n->time = clock->time;
+    n->dt = clock->dt;
+    domain_grid(ranks->domain, n->grid);
+    *own = (struct resume_numbers){
+        .fraction = clock->dt_fraction, .load_fresh = ranks->load.fresh, .load_reached = ranks->load.reached};
 }
 
 static bool numbers_take(struct simulation *s, const char *path, const struct checkpoint_loaded *loaded,
@@ -98,7 +96,8 @@ static void rows_sort(struct history_rows *rows, size_t owned) {
 bool resume_write(struct simulation *s, const struct output_run *run, const char *suffix,
                   struct error *error) {
     struct rebuild_rows rows = {0};
-    rebuild_detach(s, true, &rows); /* the reader may divide the particles differently */
+    rebuild_detach(&s->search, &s->physics, s->particles, true,
+                   &rows); /* the reader may divide the particles differently */
     physics_rows(&s->physics, rows.carried);
     rows_sort(&rows.pairs, s->particles->owned);
     struct resume_numbers own;
@@ -123,7 +122,8 @@ bool resume_write(struct simulation *s, const struct output_run *run, const char
     PHYSICS_EACH (active, &s->physics, record)
         if (active->row->record->save)
             active->row->record->save(&active->context, &rows.obstacles, &checkpoint);
-    numbers_put(s, &checkpoint.numbers, &own);
+    checkpoint.numbers = (struct checkpoint_numbers){.seed = s->scene->seed, .next_id = s->sources.next_id};
+    numbers_put(&s->clock, &s->ranks, &checkpoint.numbers, &own);
     numbers_list(s, &own, &restart);
     bool good = checkpoint_write(s->comm, run->directory, suffix, &checkpoint,
                                  s->scene->output.checkpoint.keep, error);
@@ -162,7 +162,7 @@ static bool take(struct simulation *s, const char *path, struct checkpoint_loade
     if (!deform_moved(&loaded->restart))
         deform_start(&s->box, s->scene, s->particles);
     s->total = loaded->total;
-    resume_apply(s, loaded);
+    s->resumed.masses = resume_apply(s->particles, s->scene, &s->box, s->comm, loaded);
     s->lineage = loaded->lineage;
     loaded->lineage = (struct lineage){0};
     if (loaded->tree && domain_bisects(s->ranks.domain)) {

@@ -134,26 +134,25 @@ static bool change_mass(struct particles *p, const struct box *box, size_t i,
     return true;
 }
 
-static void apply_materials(struct simulation *s, const struct checkpoint_loaded *loaded) {
-    struct particles *p = s->particles;
+/* Returns how many particles of this rank have another mass. */
+static int64_t apply_materials(struct particles *p, const struct scene *scene, const struct box *box,
+                               const struct checkpoint_loaded *loaded) {
     uint8_t *material = material_numbers(p);
     bool written = material && loaded->field_read[fields_find(p, "material")];
     int first = only(loaded->material, loaded->materials), place[LAW_MATERIALS_MAX] = {0};
     int64_t changed = 0;
     for (int k = 0; k < loaded->materials; k++)
-        place[k] = scene_material(s->scene, loaded->material[k].name);
+        place[k] = scene_material(scene, loaded->material[k].name);
     const uint8_t *kind = kinds_of(p);
     for (size_t i = 0; i < p->owned; i++) {
         if (kind && kind[i] != KIND_GRAIN)
             continue;
         int then = written ? material[i] : first;
-        changed +=
-            change_mass(p, &s->box, i, &loaded->material[then], s->scene->material[place[then]].density);
+        changed += change_mass(p, box, i, &loaded->material[then], scene->material[place[then]].density);
         if (material)
             material[i] = (uint8_t)place[then];
     }
-    comm_sum_int(s->comm, &changed, 1);
-    s->resumed.masses = (uint64_t)changed;
+    return changed;
 }
 
 /* Changes the masses of particles in groups whose motion has become prescribed or free since the
@@ -179,9 +178,12 @@ static void apply_groups(struct particles *p, const struct scene *scene,
     }
 }
 
-void resume_apply(struct simulation *s, const struct checkpoint_loaded *loaded) {
-    apply_materials(s, loaded);
-    apply_groups(s->particles, s->scene, loaded);
+uint64_t resume_apply(struct particles *particles, const struct scene *scene, const struct box *box,
+                      const struct comm *comm, const struct checkpoint_loaded *loaded) {
+    int64_t changed = apply_materials(particles, scene, box, loaded);
+    comm_sum_int(comm, &changed, 1);
+    apply_groups(particles, scene, loaded);
+    return (uint64_t)changed;
 }
 
 /* True if a key came or went, with its default, only because another key has changed, with which it exists. */

@@ -14,9 +14,10 @@ bool resume_check(struct simulation *simulation, const char *path, const struct 
 
 /* Gives the particles of a checkpoint the numbers of their materials and groups in the scene, by name. Sets
  * the masses that follow from changed densities, and from motions that have become prescribed or free. A
- * particle whose density differs from that of the material keeps its own density. Called after resume_check.
- * Collective. */
-void resume_apply(struct simulation *simulation, const struct checkpoint_loaded *loaded);
+ * particle whose density differs from that of the material keeps its own density. Returns the number of particles of all
+ * ranks whose mass follows a changed density. Called after resume_check. Collective. */
+uint64_t resume_apply(struct particles *particles, const struct scene *scene, const struct box *box,
+                      const struct comm *comm, const struct checkpoint_loaded *loaded);
 
 /* Prints the changes, a line a key. One rank. */
 void resume_print(const struct resumed *resumed, uint64_t step, const char *path, FILE *out);

@@ -8,7 +8,7 @@
 #include "engine/resume_check.h"
 #include "engine/step.h"
 #include "engine/folder.h"
-#include "engine/guards.h"
+#include "engine/index_view.h"
 #include "engine/load_balance.h"
 #include "engine/notes.h"
 #include "engine/outputs.h"
@@ -124,9 +124,16 @@ static void crowd_tell(struct run *run) {
 
 /* Looks at the conditions of the stage; the step after the present one may become the last. */
 static bool stage_look(struct run *run, struct error *error) {
-    run_stages_look(&run->stages, run->s, error);
+    const struct output_view view = simulation_view(run->s);
+    run_stages_look(&run->stages, &view, &run->s->stage, error);
     run->last = run_last_step(run->s->scene, &run->s->stage, &run->s->clock);
     return error->kind == ERROR_NONE;
+}
+
+/* Writes what is due at the present step. */
+static bool outputs_now(const struct run *run, struct error *error) {
+    const struct output_view view = simulation_view(run->s);
+    return outputs_write(run->outputs, &view, &run->s->physics, &run->s->clock, error);
 }
 
 static bool step_once(struct run *run, struct error *error) {
@@ -149,9 +156,10 @@ static bool step_once(struct run *run, struct error *error) {
     run->record.particle_steps += (double)s->total;
     int stage = stages_find(&s->timers, "output");
     timer_start(&s->timers, stage);
-    if (watched || looked || (run->outputs && outputs_due(run->outputs, &s->clock, s->clock.step)))
+    bool due = run->outputs && outputs_due(run->outputs, &s->clock, s->clock.step);
+    if (watched || looked || due)
         physics_look(&s->physics);
-    bool good = run->outputs == NULL || outputs_write(run->outputs, s, error);
+    bool good = !due || outputs_now(run, error);
     if (good && watched)
         good = watch->look(watch->context, s, error);
     if (good && looked)
@@ -219,6 +227,14 @@ static bool folder_prepare(const struct run *run, struct error *error) {
            folder_rewind(comm, directory, run->s->clock.step, error);
 }
 
+/* Prepares the conditions of the present stage. */
+static bool stages_open(struct run *run, struct error *error) {
+    const struct output_view view = simulation_view(run->s);
+    bool good = run_stages_open(&run->stages, run->s->scene, &run->s->stage, &view, &run->output, error);
+    run->s->sums_each_step = run->s->sums_each_step || run_stages_need_work(&run->stages);
+    return good;
+}
+
 static bool run_open(struct run *run, struct error *error) {
     struct simulation *s = run->s;
     if (run->options->directory == NULL)
@@ -227,13 +243,14 @@ static bool run_open(struct run *run, struct error *error) {
         !run_directory(s->comm, run->options, error) ||
         !folder_lock(s->comm, run->options->directory, &run->lock, error) || !folder_prepare(run, error))
         return false;
-    if (!outputs_open(run->outputs, s, run->options->resume != NULL, error))
+    const struct output_view view = simulation_view(s);
+    if (!outputs_open(run->outputs, &view, &s->physics, run->options->resume != NULL, error))
         return false;
     s->sums_each_step = s->sums_each_step || outputs_sum_each_step(run->outputs);
     if (run->options->resume != NULL)
         return true;
     physics_look(&s->physics);
-    return outputs_write(run->outputs, s, error);
+    return outputs_now(run, error);
 }
 
 static bool watch_begin(const struct run *run, struct error *error) {
@@ -247,7 +264,7 @@ static void run_loop(struct run *run, struct error *error) {
     run->last = run_last_step(s->scene, &s->stage, &s->clock);
     s->ranks.load.seconds = 0;
     int stage = stages_find(&s->timers, "other");
-    run_report_begin(s, &run->record);
+    run_report_begin(&s->timers, s->ranks.ghosts, s->clock.step, &run->record);
     timer_start(&s->timers, stage);
     run->checkpoint_last = run->record.began;
     if ((run->options->quiet && run->options->series == NULL) || s->comm->rank != 0)
@@ -279,14 +296,15 @@ static void notes_tell(const struct run *run, bool seen) {
 }
 
 /* True, with a message, if a resumed run is already at its end; then no file is written. */
-static bool over_already(const struct simulation *s, const char *resume) {
-    if (resume == NULL || run_last_step(s->scene, &s->stage, &s->clock) > s->clock.step)
+static bool over_already(const struct scene *scene, const struct stage_place *stage,
+                         const struct clock *clock, const struct comm *comm, const char *resume) {
+    if (resume == NULL || run_last_step(scene, stage, clock) > clock->step)
         return false;
-    if (s->comm->rank == 0)
+    if (comm->rank == 0)
         fprintf(stderr,
                 "scree: %s is already at step %llu, time %.9g; nothing to do: give a longer duration%s\n",
-                resume, (unsigned long long)s->clock.step, s->clock.time,
-                s->scene->duration > 0 ? "" : " or a larger step.count");
+                resume, (unsigned long long)clock->step, clock->time,
+                scene->duration > 0 ? "" : " or a larger step.count");
     return true;
 }
 
@@ -320,7 +338,7 @@ static void start_tell(const struct run *run) {
     if (s->comm->rank != 0 || run->options->quiet)
         return;
     if (run->chain) {
-        run_stages_title(s, title, sizeof title);
+        run_stages_title(s->scene, &s->stage, &s->clock, title, sizeof title);
         log_text(NULL, title);
     }
     if (run->chain && run->chain->done > 0) {
@@ -340,15 +358,15 @@ int run_one(const struct comm *comm, const struct scene *scene, const struct run
         return error->kind;
     struct simulation_caller caller = {.quiet = options->quiet && options->series == NULL};
     run.s = simulation_create_for(&caller, comm, scene, options->resume, error);
-    if (run.s == NULL || (chain == NULL && over_already(run.s, options->resume))) {
+    if (run.s == NULL ||
+        (chain == NULL && over_already(scene, &run.s->stage, &run.s->clock, comm, options->resume))) {
         simulation_destroy(&run.s);
         return error->kind;
     }
-    run.output = outputs_run(run.s, options->directory);
+    run.output = outputs_run(scene, &run.s->box, &run.s->lineage, options->directory);
     start_tell(&run);
     run_signals_catch();
-    if (run_stages_open(&run.stages, run.s, &run.output, error) && run_open(&run, error) &&
-        watch_begin(&run, error)) {
+    if (stages_open(&run, error) && run_open(&run, error) && watch_begin(&run, error)) {
         notes_tell(&run, false);
         run.record.setup = timer_now() - start;
         run_loop(&run, error);

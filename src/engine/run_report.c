@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* The rows of the report of a run, with their getters, and its lines on the terminal. Read run_report.h first. */
 #include "engine/run_report.h"
-#include "engine/run_report_lists.h"
 #include "engine/run_report_source.h"
 #include "engine/index_view.h"
 #include "base/memory.h"
@@ -10,10 +9,11 @@
 #include <math.h>
 #include <stdio.h>
 
-void run_report_begin(struct simulation *s, struct run_record *run) {
-    *run = (struct run_record){.first = s->clock.step, .setup = run->setup, .start = s->timers};
-    ghosts_count(s->ranks.ghosts, &run->before);
-    timer_clear(&s->timers);
+void run_report_begin(struct timers *timers, const struct ghosts *ghosts, uint64_t step,
+                      struct run_record *run) {
+    *run = (struct run_record){.first = step, .setup = run->setup, .start = *timers};
+    ghosts_count(ghosts, &run->before);
+    timer_clear(timers);
     run->began = timer_now();
 }
 

@@ -11,8 +11,9 @@
 extern const struct report_row run_report_rows[];
 extern const struct report_line run_report_lines[];
 
-/* Begins the record of a loop of steps, which starts now. */
-void run_report_begin(struct simulation *simulation, struct run_record *run);
+/* Begins the record of a loop of steps, which starts now, after `step` steps; timers are cleared. */
+void run_report_begin(struct timers *timers, const struct ghosts *ghosts, uint64_t step,
+                      struct run_record *run);
 
 /* Makes the report of a run, or of the last of the stages in `chain` (NULL: the scene has none); report_destroy frees
  * it. Collective: all ranks call, outside parallel regions; each may have chosen another index and other levels. */

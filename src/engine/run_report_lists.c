@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
-/* The rows of the lists of a report, with their getters. Read run_report_lists.h first. */
-#include "engine/run_report_lists.h"
+/* The rows of the lists of a report, with their getters. Read run_report_source.h first. */
 #include "engine/run_report_source.h"
 #include "engine/sources.h"
 #include "engine/tune.h"

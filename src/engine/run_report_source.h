@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
-/* Private part of run_report.h: what the getters of rows read, and how they are written. */
+/* Private part of run_report.h: what the getters of rows read, and how they are written; the rows of lists and groups. */
 #ifndef SCREE_ENGINE_RUN_REPORT_SOURCE_H
 #define SCREE_ENGINE_RUN_REPORT_SOURCE_H
 
@@ -7,6 +7,7 @@
 #include "engine/run_record.h"
 #include "engine/run_stages.h"
 #include "engine/state.h"
+#include "data/observe/report.h"
 
 struct report_source {
     const struct simulation *s;
@@ -61,5 +62,20 @@ static inline double least(const struct report_source *of, double mine) {
     comm_min(of->s->comm, &mine, 1);
     return mine;
 }
+
+/* The rows of lists and groups, and the numbers of their entries. */
+
+extern const struct report_row run_report_choice_rows[], run_report_level_rows[], run_report_class_rows[],
+    run_report_insertion_rows[], run_report_scene_stage_rows[], run_report_stage_rows[],
+    run_report_setup_rows[], run_report_solver_rows[], run_report_contacts_rows[];
+
+int run_report_choices(const struct report_source *source);
+int run_report_levels(const struct report_source *source);
+int run_report_classes(const struct report_source *source);
+int run_report_insertions(const struct report_source *source);
+int run_report_scene_stages(const struct report_source *source);
+int run_report_stages(const struct report_source *source);
+int run_report_solvers(const struct report_source *source);
+int run_report_contacts(const struct report_source *source);
 
 #endif

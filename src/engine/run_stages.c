@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* The ends of stages: by duration, or by conditions on observables. Read run_stages.h first. */
 #include "engine/run_stages.h"
-#include "engine/index_view.h"
 #include "data/formats/checkpoint.h"
 #include <assert.h>
 #include <inttypes.h>
@@ -27,18 +26,15 @@ static bool condition_open(struct run_stages *stages, const struct scene *scene,
                       stages->stage->name, observables_columns(stages->condition[k]));
 }
 
-bool run_stages_open(struct run_stages *stages, struct simulation *s, const struct output_run *run,
-                     struct error *error) {
-    *stages = (struct run_stages){.first = s->clock.step};
-    if (s->scene->stages == 0)
+bool run_stages_open(struct run_stages *stages, const struct scene *scene, const struct stage_place *place,
+                     const struct output_view *view, const struct output_run *run, struct error *error) {
+    *stages = (struct run_stages){.first = view->step};
+    if (scene->stages == 0)
         return true;
-    stages->stage = &s->scene->stage[s->stage.number];
-    const struct output_view view = simulation_view(s);
-    for (int k = 0; k < stages->stage->conditions; k++) {
-        if (!condition_open(stages, s->scene, &view, run, k, error))
+    stages->stage = &scene->stage[place->number];
+    for (int k = 0; k < stages->stage->conditions; k++)
+        if (!condition_open(stages, scene, view, run, k, error))
             return false;
-        s->sums_each_step = s->sums_each_step || observables_need_work(stages->condition[k]);
-    }
     return true;
 }
 
@@ -59,21 +55,28 @@ bool run_stages_need_sums(const struct run_stages *stages) {
     return needed;
 }
 
-void run_stages_look(struct run_stages *stages, struct simulation *s, struct error *error) {
-    struct output_view view = simulation_view(s);
-    int64_t missed = s->clock.time - s->stage.began < stages->stage->after * (1 - 1e-12);
+bool run_stages_need_work(const struct run_stages *stages) {
+    bool needed = false;
+    for (int k = 0; k < stages->conditions; k++)
+        needed = needed || observables_need_work(stages->condition[k]);
+    return needed;
+}
+
+void run_stages_look(struct run_stages *stages, const struct output_view *view, struct stage_place *place,
+                     struct error *error) {
+    int64_t missed = view->time - place->began < stages->stage->after * (1 - 1e-12);
     for (int k = 0; k < stages->conditions; k++) {
         const struct scene_condition *condition = &stages->stage->condition[k];
-        if (!observables_write(stages->condition[k], &view, error))
+        if (!observables_write(stages->condition[k], view, error))
             return;
         double value = observables_values(stages->condition[k])[0];
         bool low = !isnan(condition->at_least) && !(value >= condition->at_least);
         bool high = !isnan(condition->at_most) && !(value <= condition->at_most);
         missed += low || high;
     }
-    comm_max_int(s->comm, &missed, 1);
+    comm_max_int(view->comm, &missed, 1);
     if (missed == 0) {
-        s->stage.last = s->clock.step + 1;
+        place->last = view->step + 1;
         stages->met = true;
     }
 }
@@ -127,8 +130,9 @@ bool run_stages_first(const struct comm *comm, const struct scene *scene, const 
     return comm_agree(comm, error) && good;
 }
 
-void run_stages_title(const struct simulation *s, char *text, size_t size) {
+void run_stages_title(const struct scene *scene, const struct stage_place *place, const struct clock *clock,
+                      char *text, size_t size) {
     snprintf(text, size, "stage '%s' (%d of %d) from step %" PRIu64 ", t = %.9g",
-             s->scene->stage[s->stage.number].name, (int)s->stage.number + 1, s->scene->stages, s->clock.step,
-             s->clock.time);
+             scene->stage[place->number].name, (int)place->number + 1, scene->stages, clock->step,
+             clock->time);
 }

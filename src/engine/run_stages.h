@@ -37,19 +37,22 @@ struct run_chain {
     struct run_stage row[STAGES_MAX];
 };
 
-/* Prepares the conditions of the simulation's stage. Fails (user) if an observable has not exactly one column. */
-bool run_stages_open(struct run_stages *stages, struct simulation *simulation, const struct output_run *run,
-                     struct error *error);
+/* Prepares the conditions of the present stage, whose first step follows that of the view. Fails (user) if an observable has
+ * not exactly one column. */
+bool run_stages_open(struct run_stages *stages, const struct scene *scene, const struct stage_place *place,
+                     const struct output_view *view, const struct output_run *run, struct error *error);
 void run_stages_close(struct run_stages *stages);
 
 /* True if the conditions are looked at after step number `step`. */
 bool run_stages_due(const struct run_stages *stages, const struct stage_place *place, uint64_t step);
 
-/* True if a condition needs the sums of the forces in the step that is looked at. */
+/* True if a condition needs the sums of the forces in the step that is looked at; if it needs those of each step. */
 bool run_stages_need_sums(const struct run_stages *stages);
+bool run_stages_need_work(const struct run_stages *stages);
 
 /* Looks at the conditions; if all hold, the next step is the last of the stage. Collective; all ranks decide alike. */
-void run_stages_look(struct run_stages *stages, struct simulation *simulation, struct error *error);
+void run_stages_look(struct run_stages *stages, const struct output_view *view, struct stage_place *place,
+                     struct error *error);
 
 /* The number of the last step by the duration of the present stage, or by its conditions; `most` at most. */
 uint64_t run_stages_last(const struct scene *scene, const struct stage_place *place,
@@ -69,6 +72,7 @@ bool run_stages_first(const struct comm *comm, const struct scene *scene, const 
 
 /* Writes the line that says which stage begins. */
 enum { RUN_STAGES_TITLE_MAX = 160 };
-void run_stages_title(const struct simulation *simulation, char *text, size_t size);
+void run_stages_title(const struct scene *scene, const struct stage_place *place, const struct clock *clock,
+                      char *text, size_t size);
 
 #endif

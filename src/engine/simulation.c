@@ -86,6 +86,7 @@ static bool run_go_on(struct simulation *s, struct rebuild_rows *rows, struct er
 
 /* Checks the particles after they have been made. */
 static bool particles_suit(struct simulation *s, struct error *error) {
+    struct index_view view;
     if (s->total >= (uint64_t)s->comm->size << PARTICLE_INDEX_BITS)
         return error_set(error, ERROR_USER,
                          "%llu particles on %d ranks: allowed are up to %llu a rank, copies included",
@@ -100,21 +101,22 @@ static bool particles_suit(struct simulation *s, struct error *error) {
     s->search.list = interaction_list(&s->search.interactions, 0);
     physics_prepare(&s->physics);
     step_plan(s);
-    deform_begin(s);
-    load_lay(s, s->resumed.grid);
-    simulation_parts_index(s, error);
+    deform_begin(&s->servo, &s->box, s->scene, s->particles, s->comm);
+    load_lay(&s->ranks, s->particles, &s->box, s->comm, s->scene->domain.grid, s->resumed.grid);
+    simulation_index_view(s, &view);
+    simulation_parts_index(s->scene, &view, error);
     return comm_agree(s->comm, error); /* each rank looks at its own particles */
 }
 
 static bool simulation_fill(struct simulation *s, const char *resume, struct error *error) {
     const struct physics_active *mover = s->physics.mover;
     simulation_parts_create(s);
-    deform_prepare(s);
+    deform_prepare(&s->servo, &s->box, s->scene, s->search.skin, s->threads);
     if (physics_create(&s->physics, error) && mover->row->mover->history)
         s->search.history = mover->row->mover->history(&mover->context);
     if (!comm_agree(s->comm, error)) /* ranks may have different CPUs */
         return false;
-    sources_weigh(s);
+    sources_weigh(&s->sources, s->scene, &s->physics);
     struct rebuild_rows rows = {0};
     crossings_prepare(s->crossings, s->scene->output.observables.planes);
     bool good = resume ? resume_read(s, resume, &rows, error) : particles_make(s, error);
@@ -125,7 +127,7 @@ static bool simulation_fill(struct simulation *s, const char *resume, struct err
     memory_trim();
     particles_spread(s->particles);
     bool begun = resume ? run_go_on(s, &rows, error) : run_begin(s, error);
-    crossings_begin(s);
+    crossings_begin(s->crossings, &s->scene->output.observables, &s->box, s->particles);
     char *echo = scene_echo(s->scene);
     lineage_go_on(&s->lineage, s->clock.step, echo);
     memory_free(echo);

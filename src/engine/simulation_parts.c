@@ -3,7 +3,6 @@
  * simulation_parts.h first. */
 #include "engine/simulation_parts.h"
 #include "engine/sources.h"
-#include "engine/index_view.h"
 #include "kernel/comm/balance.h"
 #include "kernel/comm/cores.h"
 #include "base/memory.h"
@@ -22,14 +21,15 @@ static bool domain_possible(const struct scene *scene, struct error *error) {
                      scene_place(scene, "domain", place, sizeof place), plain.text);
 }
 
-static bool set_threads(struct simulation *s, struct error *error) {
-    int most = PAIR_THREADS_MAX, usual = cores_threads(s->comm);
-    if (s->scene->threads == 0 && usual < most)
+/* The number of threads, `wanted` or (0) that of the cores, and its team; 0 with an error. */
+static int threads_begin(struct team *team, int wanted, const struct comm *comm, struct error *error) {
+    int most = PAIR_THREADS_MAX, usual = cores_threads(comm);
+    if (wanted == 0 && usual < most)
         most = usual;
-    s->threads = threads_set(s->scene->threads, most, error);
-    team_begin(&s->team, s->threads, s->scene->threads > 0);
-    team_probe(&s->team);
-    return s->threads > 0;
+    int threads = threads_set(wanted, most, error);
+    team_begin(team, threads, wanted > 0);
+    team_probe(team);
+    return threads;
 }
 
 /* Starts the physics that the scene asks for, with those that are always there first. */
@@ -54,7 +54,8 @@ static bool physics_start(struct simulation *s, struct error *error) {
 bool simulation_parts_prepare(struct simulation *s, struct error *error) {
     const struct scene *scene = s->scene;
     s->particles = particles_create(0);
-    if (!set_threads(s, error) || !physics_start(s, error))
+    s->threads = threads_begin(&s->team, scene->threads, s->comm, error);
+    if (s->threads == 0 || !physics_start(s, error))
         return false;
     if (scene->domain.kind == DOMAIN_BISECTION && !domain_possible(scene, error))
         return false;
@@ -65,7 +66,7 @@ bool simulation_parts_prepare(struct simulation *s, struct error *error) {
     struct index_params params = scene->index.params;
     params.instructions = (int)scene->simd;
     s->search.index = index_create(scene->index.name, &params, error);
-    return s->search.index != NULL && sources_prepare(s, error);
+    return s->search.index != NULL && sources_prepare(&s->sources, scene, error);
 }
 
 void simulation_parts_create(struct simulation *s) {
@@ -132,12 +133,10 @@ bool simulation_parts_box(const struct scene *scene, const struct box *box,
     return good;
 }
 
-bool simulation_parts_index(struct simulation *s, struct error *error) {
-    struct index_view view;
+bool simulation_parts_index(const struct scene *scene, const struct index_view *view, struct error *error) {
     char why[INDEX_WHY_MAX], place[SCENE_PATH_MAX];
-    simulation_index_view(s, &view);
-    if (index_applicable(s->scene->index.name, &s->scene->index.params, &view, why))
+    if (index_applicable(scene->index.name, &scene->index.params, view, why))
         return true;
     return error_set(error, ERROR_USER, "%s: index.name: '%s' cannot serve this scene: %s",
-                     scene_place(s->scene, "index.name", place, sizeof place), s->scene->index.name, why);
+                     scene_place(scene, "index.name", place, sizeof place), scene->index.name, why);
 }

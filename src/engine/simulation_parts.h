@@ -20,7 +20,7 @@ void simulation_parts_placed(void *context, const char *what, double part);
 bool simulation_parts_box(const struct scene *scene, const struct box *box,
                           const struct size_classes *classes, struct error *error);
 
-/* Refuses an index that cannot serve the present particles of this rank. */
-bool simulation_parts_index(struct simulation *simulation, struct error *error);
+/* Refuses an index of the scene that cannot serve the present particles of this rank, of which `view` is. */
+bool simulation_parts_index(const struct scene *scene, const struct index_view *view, struct error *error);
 
 #endif

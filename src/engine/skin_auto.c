@@ -45,23 +45,25 @@ static double farthest(const struct size_classes *classes, const struct scene *s
 /* The most octaves with which no two particles meet through two images. A run that has such pairs already, and
  * one whose copies may not go beyond neighbours, keeps its skin or shortens it (a reproducible one on a single rank,
  * too: the choice is that of all layouts). */
-static int64_t octaves_most(const struct simulation *s) {
-    int64_t now = s->search.choice.octaves;
-    if (s->scene->ghosts.sync == GHOSTS_NEIGHBOURS && (!s->ranks.alone || s->scene->reproducible))
+static int64_t octaves_most(const struct skin_choice *choice, const struct size_classes *classes,
+                            const struct scene *scene, const struct box *box, bool alone) {
+    int64_t now = choice->octaves;
+    if (scene->ghosts.sync == GHOSTS_NEIGHBOURS && (!alone || scene->reproducible))
         return 0;
     for (int64_t k = SKIN_MOST; k > SKIN_LEAST; k--) {
-        double reach = farthest(&s->classes, s->scene, now, k);
+        double reach = farthest(classes, scene, now, k);
         bool fits = true;
         for (int d = 0; d < 3; d++)
-            fits = fits && !(s->box.periodic[d] && s->box.edge[d] <= 2 * reach);
+            fits = fits && !(box->periodic[d] && box->edge[d] <= 2 * reach);
         if (fits)
             return k;
     }
     return now;
 }
 
-double skin_auto_most(const struct simulation *s) {
-    return skin_choice_factor(octaves_most(s));
+double skin_auto_most(const struct skin_choice *choice, const struct size_classes *classes,
+                      const struct scene *scene, const struct box *box, bool alone) {
+    return skin_choice_factor(octaves_most(choice, classes, scene, box, alone));
 }
 
 static struct skin_counts counts_take(struct simulation *s, const struct skin_choice *choice) {
@@ -78,21 +80,24 @@ static struct skin_counts counts_take(struct simulation *s, const struct skin_ch
 }
 
 /* The choice with what was used up since the last rebuild. */
-static struct skin_choice choice_with(struct simulation *s) {
-    struct skin_choice choice = s->search.choice;
-    decide_displacements(s->search.skin, s->particles, s->classes.count, s->comm);
-    double used = skin_used(s->search.skin, &s->classes) * skin_choice_factor(choice.octaves);
-    skin_choice_add(&choice, used, s->search.skin->moves);
+static struct skin_choice choice_with(const struct search *search, const struct particles *particles,
+                                      const struct size_classes *classes, const struct comm *comm) {
+    struct skin_choice choice = search->choice;
+    decide_displacements(search->skin, particles, classes->count, comm);
+    double used = skin_used(search->skin, classes) * skin_choice_factor(choice.octaves);
+    skin_choice_add(&choice, used, search->skin->moves);
     return choice;
 }
 
 void skin_auto_choose(struct simulation *s) {
     if (!s->scene->classes.skin_auto || s->search.skin->moves == 0)
         return;
-    struct skin_choice choice = choice_with(s);
+    struct skin_choice choice = choice_with(&s->search, s->particles, &s->classes, s->comm);
     struct skin_counts counts = counts_take(s, &choice);
     int64_t before = choice.octaves;
-    choice.octaves = skin_choice_best(&s->classes, &counts, before, octaves_most(s));
+    choice.octaves =
+        skin_choice_best(&s->classes, &counts, before,
+                         octaves_most(&s->search.choice, &s->classes, s->scene, &s->box, s->ranks.alone));
     choice.changes += choice.octaves != before;
     s->search.choice = choice;
     if (choice.octaves == before)
@@ -107,7 +112,7 @@ bool skin_auto_due(struct simulation *s) {
     unsigned moves = s->search.skin->moves;
     if (!s->scene->classes.skin_auto || moves < LOOK_FIRST || (moves & (moves - 1)) != 0)
         return false;
-    struct skin_choice choice = choice_with(s);
+    struct skin_choice choice = choice_with(&s->search, s->particles, &s->classes, s->comm);
     struct skin_counts counts = counts_take(s, &choice);
     int64_t now = choice.octaves, best = skin_choice_best(&s->classes, &counts, now, now);
     double saved = counts.pairs - skin_choice_pairs(&s->classes, &counts, now, best);

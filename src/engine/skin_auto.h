@@ -19,8 +19,9 @@ void skin_auto_choose(struct simulation *simulation);
  * a shorter skin saves more than the rebuild costs. Collective, and the same on every rank. */
 bool skin_auto_due(struct simulation *simulation);
 
-/* The largest factor on the skins of the scene that the box allows. */
-double skin_auto_most(const struct simulation *simulation);
+/* The largest factor on the skins of the scene that the box allows; `alone`: on one rank. */
+double skin_auto_most(const struct skin_choice *choice, const struct size_classes *classes,
+                      const struct scene *scene, const struct box *box, bool alone);
 
 /* Lists the numbers that a resume needs. */
 void skin_auto_restart(struct skin_choice *choice, struct restart *restart);

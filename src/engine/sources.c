@@ -36,20 +36,19 @@ static bool insertion_fits(const struct scene *scene, const struct insertion *in
         scene_place(scene, key, place, sizeof place), key, 2 * largest, 2 * room);
 }
 
-bool sources_prepare(struct simulation *s, struct error *error) {
-    const struct scene *scene = s->scene;
+bool sources_prepare(struct sources *sources, const struct scene *scene, struct error *error) {
     size_t count = (size_t)scene->insertions;
-    s->sources.insertion = memory_allocate_zero(count, sizeof *s->sources.insertion, "insertions");
-    s->sources.state = memory_allocate_zero(count, sizeof *s->sources.state, "insertions");
-    s->sources.lost = memory_allocate_zero(count, sizeof *s->sources.lost, "insertions");
+    sources->insertion = memory_allocate_zero(count, sizeof *sources->insertion, "insertions");
+    sources->state = memory_allocate_zero(count, sizeof *sources->state, "insertions");
+    sources->lost = memory_allocate_zero(count, sizeof *sources->lost, "insertions");
     for (int k = 0; k < scene->insertions; k++) {
         const struct insertion_options *options = &scene->insertion[k];
         double density = options->density;
         if (!(density > 0))
             density = scene->material[options->material].density;
-        if (!insertion_prepare(&s->sources.insertion[k], options, k, density, scene->seed, &scene->box,
+        if (!insertion_prepare(&sources->insertion[k], options, k, density, scene->seed, &scene->box,
                                error) ||
-            !insertion_fits(scene, &s->sources.insertion[k], k, error))
+            !insertion_fits(scene, &sources->insertion[k], k, error))
             return false;
     }
     return true;
@@ -64,10 +63,10 @@ static double mass_of(const void *context, const struct insertion_candidate *can
     return physics_mass(context, &grain);
 }
 
-void sources_weigh(struct simulation *s) {
-    for (int k = 0; k < s->scene->insertions; k++)
-        if (s->scene->insertion[k].mass_rate > 0)
-            insertion_weigh(&s->sources.insertion[k], mass_of, &s->physics);
+void sources_weigh(struct sources *sources, const struct scene *scene, const struct physics_set *set) {
+    for (int k = 0; k < scene->insertions; k++)
+        if (scene->insertion[k].mass_rate > 0)
+            insertion_weigh(&sources->insertion[k], mass_of, set);
 }
 
 static uint64_t insertion_missing(const struct sources *sources, const struct clock *clock, int k) {
@@ -193,16 +192,16 @@ static bool goes(struct simulation *s, size_t k, bool regions) {
 
 /* Carried grains go with their carrier, whichever rank owns it; and a carrier goes if the calling program deletes a grain that
  * it carries. Collective. */
-static void marks_carry(struct simulation *s, uint8_t *remove) {
-    const struct particles *p = s->particles;
+static void marks_carry(const struct particles *p, const struct given *given, const struct comm *comm,
+                        uint8_t *remove) {
     const int64_t *carrier = carried_by(p);
     const uint8_t *kind = kinds_of(p);
     size_t count = 0, bytes;
     int64_t *mine = memory_allocate(p->owned, sizeof *mine, "bodies to remove");
     for (size_t k = 0; k < p->owned; k++)
-        if (carrier[k] >= 0 ? is_taken(&s->sources.given, p->id[k]) : kind[k] == KIND_BODY && remove[k])
+        if (carrier[k] >= 0 ? is_taken(given, p->id[k]) : kind[k] == KIND_BODY && remove[k])
             mine[count++] = carrier[k] >= 0 ? carrier[k] : p->id[k];
-    int64_t *all = comm_share(s->comm, mine, count * sizeof *mine, &bytes);
+    int64_t *all = comm_share(comm, mine, count * sizeof *mine, &bytes);
     count = bytes / sizeof *all;
     qsort(all, count, sizeof *all, ids_compare);
     for (size_t k = 0; k < p->owned; k++) {
@@ -227,7 +226,7 @@ static void removed_account(struct simulation *s, size_t k, struct removed *remo
     if (kind && kind[k] != KIND_GRAIN) /* its parts have the mass */
         return;
     s->sources.deleted_mass += groups_mass(s->particles, k);
-    crossings_account(s, k, 1);
+    crossings_account(s->crossings, &s->scene->output.observables, &s->box, s->particles, k, 1);
 }
 
 /* Collective. */
@@ -244,7 +243,7 @@ static struct removed remove_run(struct simulation *s, struct rebuild_rows *rows
         remove[k] = may && !(carrier && carrier[k] >= 0) && goes(s, k, regions);
     }
     if (carrier)
-        marks_carry(s, remove);
+        marks_carry(particles, &s->sources.given, s->comm, remove);
     for (size_t k = 0; k < owned; k++)
         if (remove[k])
             removed_account(s, k, &removed);
@@ -303,11 +302,11 @@ static void candidates_block(const struct physics_set *set, const struct comm *c
 }
 
 /* Appends an accepted candidate to this rank. */
-static void candidate_append(struct simulation *s, const struct insertion_candidate *candidate, int64_t id) {
-    struct particles *particles = s->particles;
+static void candidate_append(struct particles *particles, const struct scene *scene,
+                             const struct insertion_candidate *candidate, int64_t id) {
     size_t k = particles_append(particles);
     struct particle_state *p = &particles->state[k];
-    bool prescribed = s->scene->group[candidate->group].motion != SCENE_FREE;
+    bool prescribed = scene->group[candidate->group].motion != SCENE_FREE;
     memcpy(p->x, candidate->x, sizeof p->x);
     memcpy(p->v, candidate->v, sizeof p->v);
     p->radius = candidate->radius;
@@ -334,12 +333,12 @@ static double candidate_enter(struct simulation *s, const struct insertion_candi
     s->sources.next_id += 1 + physics_parts(&s->physics, &grain);
     if (domain_owner(s->ranks.domain, candidate->x) == s->comm->rank) {
         size_t first = s->particles->owned;
-        candidate_append(s, candidate, grain.id);
+        candidate_append(s->particles, s->scene, candidate, grain.id);
         physics_join(&s->physics, first, grain.id + 1);
         const uint8_t *kind = kinds_of(s->particles);
         for (size_t k = first; k < s->particles->owned; k++)
             if (!kind || kind[k] == KIND_GRAIN)
-                crossings_account(s, k, -1);
+                crossings_account(s->crossings, &s->scene->output.observables, &s->box, s->particles, k, -1);
     }
     return physics_mass(&s->physics, &grain);
 }

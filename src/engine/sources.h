@@ -13,10 +13,10 @@ void sources_run(struct simulation *simulation, struct rebuild_rows *rows);
 bool sources_due(const struct sources *sources, const struct scene *scene, const struct clock *clock);
 
 /* Prepares the insertion regions; refuses a region that cannot hold its largest particle. */
-bool sources_prepare(struct simulation *simulation, struct error *error);
+bool sources_prepare(struct sources *sources, const struct scene *scene, struct error *error);
 
 /* Weighs what insertions with a mass rate insert, once the physics are there. */
-void sources_weigh(struct simulation *simulation);
+void sources_weigh(struct sources *sources, const struct scene *scene, const struct physics_set *set);
 
 /* Adds a particle at the next rebuild; positions are box-relative, inside the box. Deletes the particle `id` at the
  * next rebuild, with its body if it has one. The same on all ranks. */

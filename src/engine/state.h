@@ -60,6 +60,7 @@ struct box_servo {
     double mass;                        /* of all particles */
     double bound;                       /* largest rate of an edge, 1/time, for a target of 1 */
     double drift;                       /* the part of the rate of the shear that adds up, 1/time */
+    int threads;                        /* of the sums of the stress */
     struct exact (*exact)[STRESS_SUMS]; /* by thread: sums that no layout changes; NULL: not wanted. Owned */
 };
 

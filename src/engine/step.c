@@ -48,9 +48,19 @@ static void reverse_run(struct simulation *s) {
     ghosts_step_reverse(s->ranks.ghosts, s->particles, &fields);
 }
 
-static const struct engine_pass
-    before_first[] = {{"flow", "a box that moves", "advance", NEED_BOX_MOTION, deform_flow}, {0}},
-    before_moved[] = {{"box", "a box that moves", "advance", NEED_BOX_MOTION, deform_advance}, {0}};
+static void flow_run(struct simulation *s) {
+    deform_flow(&s->box, s->particles);
+}
+
+static void box_run(struct simulation *s) {
+    deform_advance(&s->box, &s->search.interactions, &s->classes, &s->clock, &s->error);
+}
+
+static const struct engine_pass before_first[] = {{"flow", "a box that moves", "advance", NEED_BOX_MOTION,
+                                                   flow_run},
+                                                  {0}},
+                                before_moved[] = {
+                                    {"box", "a box that moves", "advance", NEED_BOX_MOTION, box_run}, {0}};
 
 static const struct engine_pass renew[] = {
     {"decide", NULL, "decide", 0, decide_run}, {"exchange", NULL, "comm", 0, exchange_run}, {0}};
@@ -84,17 +94,15 @@ void step_plan(struct simulation *s) {
     plan_make(&s->plan, &s->physics, &own, &s->timers, holds);
 }
 
-void step_plan_print(const struct simulation *s, FILE *file) {
-    if (s->scene->step.fused) {
+void step_plan_print(const struct step_plan *plan, bool fused, FILE *file) {
+    if (fused) {
         fprintf(file, " fused; sweep: ");
-        plan_print_visits(&s->plan, file);
+        plan_print_visits(plan, file);
         fprintf(file, "\n");
-        plan_print(&s->plan.fused, file);
+        plan_print(&plan->fused, file);
         fprintf(file, " at rebuilds:\n");
     }
-    plan_print(&s->plan.plain, file);
-    fprintf(file, "\npasses of a rebuild\n");
-    rebuild_print(s, file);
+    plan_print(&plan->plain, file);
 }
 
 void step_run(struct simulation *s, bool rebuild) {
@@ -104,7 +112,8 @@ void step_run(struct simulation *s, bool rebuild) {
                                physics_due(&s->physics) || skin_auto_due(s);
     physics_prepare(&s->physics);
     memset(s->search.speed, 0, (size_t)s->threads * sizeof *s->search.speed);
-    plan_run(fused_due(s) ? &s->plan.fused : &s->plan.plain, 0, &s->timers, s);
+    bool fused = fused_due(s->scene->step.fused, &s->agree.signals, s->search.skin, &s->classes);
+    plan_run(fused ? &s->plan.fused : &s->plan.plain, 0, &s->timers, s);
     guards_check(s);
     team_step(&s->team, s->timers.since, timer_sum(&s->timers, TIMER_WORK, TIMER_REBUILD));
 }

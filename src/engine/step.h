@@ -7,7 +7,7 @@
 
 /* step_plan makes the list of passes from the scene; step_plan_print prints the list. */
 void step_plan(struct simulation *simulation);
-void step_plan_print(const struct simulation *simulation, FILE *file);
+void step_plan_print(const struct step_plan *plan, bool fused, FILE *file);
 
 /* One step: advance, rebuild or exchange, forces. `rebuild` forces a rebuild. Collective. */
 void step_run(struct simulation *simulation, bool rebuild);

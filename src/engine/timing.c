@@ -3,7 +3,7 @@
  * The stable step depends on the speeds of the particles at the start, so a resume with the same rule keeps
  * the step of the checkpoint. */
 #include "engine/timing.h"
-#include "engine/guards.h"
+#include "engine/trip.h"
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
@@ -39,24 +39,24 @@ static void why_find(struct timing *timing, const struct physics_set *set) {
         snprintf(why, room, "of the motion of grains");
 }
 
-static bool dt_allowed(struct simulation *s, struct error *error) {
+static bool dt_allowed(struct timing *timing, const struct physics_set *set, const struct scene *scene,
+                       double dt, struct error *error) {
     char place[SCENE_PATH_MAX];
-    if (isfinite(s->timing.stable))
-        why_find(&s->timing, &s->physics);
-    if (s->clock.dt <= s->timing.stable || s->scene->step.force)
+    if (isfinite(timing->stable))
+        why_find(timing, set);
+    if (dt <= timing->stable || scene->step.force)
         return true;
-    if (s->scene->step.fraction > 1)
+    if (scene->step.fraction > 1)
         return error_set(
             error, ERROR_USER,
             "%s: step.fraction: %g of the stable time step, %.6g (%s), is more than all of it; allowed: "
             "up to 1, or step.force: true",
-            scene_place(s->scene, "step.fraction", place, sizeof place), s->scene->step.fraction,
-            s->timing.stable, s->timing.why);
+            scene_place(scene, "step.fraction", place, sizeof place), scene->step.fraction, timing->stable,
+            timing->why);
     return error_set(error, ERROR_USER,
                      "%s: step.dt: the time step %.6g is above the stable one, %.6g (%s); allowed: up to "
                      "that, or step.force: true",
-                     scene_place(s->scene, "step.dt", place, sizeof place), s->clock.dt, s->timing.stable,
-                     s->timing.why);
+                     scene_place(scene, "step.dt", place, sizeof place), dt, timing->stable, timing->why);
 }
 
 bool timing_choose(struct simulation *s, struct error *error) {
@@ -82,7 +82,7 @@ bool timing_choose(struct simulation *s, struct error *error) {
         s->clock.dt = goes_on ? s->resumed.dt : fraction * s->timing.stable;
     }
     dt_set(&s->clock, &s->evaluation, &s->physics, s->clock.dt);
-    return dt_allowed(s, error);
+    return dt_allowed(&s->timing, &s->physics, s->scene, s->clock.dt, error);
 }
 
 /* Changes the length of steps from now on. */
@@ -100,7 +100,7 @@ bool timing_contacts(struct simulation *s, struct error *error) {
     if (s->clock.dt_fraction > 0 && s->clock.dt > s->clock.dt_fraction * s->timing.stable &&
         (s->resumed.dt != s->clock.dt || s->clock.dt > s->timing.stable))
         dt_change(&s->clock, &s->evaluation, &s->physics, s->clock.dt_fraction * s->timing.stable);
-    return dt_allowed(s, error);
+    return dt_allowed(&s->timing, &s->physics, s->scene, s->clock.dt, error);
 }
 
 bool timing_due(const struct timing *timing, const struct scene *scene, uint64_t step) {
@@ -131,5 +131,6 @@ void timing_look(struct simulation *s) {
         "guards.step: the time step %.6g is %.3g of what is surely stable for the contacts at step %llu, "
         "t = %.9g: energy may grow",
         s->clock.dt, s->clock.dt / stable, (unsigned long long)s->clock.step, s->clock.time);
-    guards_step(s, text);
+    if (s->comm->rank == 0 || s->scene->guards.step != SCENE_GUARD_WARN) /* one rank warns */
+        trip(s->scene->guards.step, text, &s->error, &s->caller.log, &s->guards.warned[GUARD_STEP]);
 }

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
-/* Writes and reads checkpoints: opens the file, and hands it to their parts (checkpoint_io.h). The checksum of a dataset
+/* Writes and reads checkpoints: opens the file, and hands it to their parts (checkpoint_parts.h). The checksum of a dataset
  * that is written comes from memory. Then the closed file is compared with the checksums, so only a whole file is renamed.
  * What is read agrees with the table of the file; the shape of each dataset is still checked, as the file may come from a
  * different program. */

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
-/* Reads datasets of a checkpoint without HDF5, by its table. Read checkpoint_file.h first. */
-#include "data/formats/checkpoint_file.h"
+/* Reads datasets of a checkpoint without HDF5, by its table. Read checkpoint_parts.h first. */
+#include "data/formats/checkpoint_parts.h"
 
 #include "base/checksum.h"
 #include "base/memory.h"

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* Writes tables and enters them, with checksums from memory, into the table of the file; reads them by that table.
- * Read checkpoint_io.h first. */
-#include "data/formats/checkpoint_io.h"
+ * Read checkpoint_parts.h first. */
+#include "data/formats/checkpoint_parts.h"
 
 #include "base/checksum.h"
 #include "base/memory.h"

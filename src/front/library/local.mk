@@ -4,7 +4,7 @@ noinst_LTLIBRARIES += libsearch.la libcalls.la
 libsearch_la_SOURCES = %D%/scree_pairs.c src/scree_pairs.h
 libcalls_la_SOURCES = \
 	%D%/scree_fields.c %D%/scree_observe.c %D%/scree_parts.c %D%/scree_report.c %D%/scree_simulation.c \
-	%D%/scree_stages.c %D%/scree_observe.h %D%/scree_parts.h %D%/scree_report.h %D%/scree_stages.h src/scree.h
+	%D%/scree_stages.c %D%/scree_parts.h src/scree.h
 
 include_HEADERS += src/scree.h src/scree_pairs.h
 EXTRA_DIST += %D%/libscree-index.map %D%/libscree.map

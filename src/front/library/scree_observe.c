@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* Observables and checkpoints of a simulation in another program. Read scree.h first. */
-#include "front/library/scree_observe.h"
+#include "front/library/scree_parts.h"
 #include "base/memory.h"
 #include "engine/outputs.h"
 #include "engine/rebuild.h"
@@ -43,7 +43,7 @@ bool scree_observe_record(struct scree_simulation *simulation, struct error *err
 
 bool scree_observe_begin(struct scree_simulation *simulation, bool resumed, struct error *error) {
     struct simulation *s = simulation->state;
-    simulation->run = outputs_run(s, NULL);
+    simulation->run = outputs_run(s->scene, &s->box, &s->lineage, NULL);
     struct output_view view = simulation_view(s);
     observables_create(&simulation->observables, &s->scene->output.observables, &view, &simulation->run,
                        error);

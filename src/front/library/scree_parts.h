@@ -48,4 +48,49 @@ bool scree_parts_tell(const struct error *own, struct scree_error *error);
 int scree_parts_enter(struct scree_simulation *simulation);
 void scree_parts_leave(struct scree_simulation *simulation, int threads);
 
+/* The rows of observables of a simulation of the library. */
+
+/* Makes the columns, and the first row of a simulation that is not resumed. Collective. */
+bool scree_observe_begin(struct scree_simulation *simulation, bool resumed, struct error *error);
+
+/* Frees the columns; the rows stay. */
+void scree_observe_end(struct scree_simulation *simulation);
+
+/* Keeps the observables of this moment, which scree_observe then tells until scree_observe_drop. Collective. */
+bool scree_observe_keep(struct scree_simulation *simulation, struct error *error);
+void scree_observe_drop(struct scree_simulation *simulation);
+
+/* True if a row is due after step `number`, which ends at `time`. */
+bool scree_observe_due(const struct scree_simulation *simulation, uint64_t number, double time);
+
+/* Records a row of this moment. Collective. */
+bool scree_observe_record(struct scree_simulation *simulation, struct error *error);
+
+/* The report of a simulation of the library. */
+
+/* Begins the record of steps for the report, after the simulation, or that of a stage, is made; this began at `began`. */
+void scree_report_begin(struct scree_simulation *simulation, double began);
+
+/* The stages of a scene in a simulation of the library (engine/run_stages.h). */
+
+/* Takes the scene of the stage with which the simulation begins: that of the checkpoint `resume`, or the first (NULL).
+ * Does nothing without stages. Fails (user) if all stages are over. Collective. */
+bool scree_stages_first(struct scree_simulation *simulation, const char *resume, struct error *error);
+
+/* Prepares the conditions of the present stage, and tells the caller which stage it is. */
+bool scree_stages_begin(struct scree_simulation *simulation, struct error *error);
+
+/* True if the conditions are looked at after step `number`, and need the sums of its forces. */
+bool scree_stages_want_sums(const struct scree_simulation *simulation, uint64_t number);
+
+/* True if step `number` is the last of the present stage, as far as is known; it must rebuild. */
+bool scree_stages_last(const struct scree_simulation *simulation, uint64_t number);
+
+/* Looks at the conditions after a step. If the step was the last of its stage, the simulation of the next stage takes
+ * the place of the present one. Collective. */
+bool scree_stages_advance(struct scree_simulation *simulation, struct error *error);
+
+/* True if the last stage has ended. */
+bool scree_stages_over(const struct scree_simulation *simulation);
+
 #endif

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
-/* The report of a simulation of the library, as text. Read scree_report.h first. */
-#include "front/library/scree_report.h"
+/* The report of a simulation of the library, as text. Read scree_parts.h first. */
+#include "front/library/scree_parts.h"
 #include "base/memory.h"
 #include "data/observe/report_json.h"
 #include "engine/run_report.h"
@@ -12,7 +12,8 @@ void scree_report_begin(struct scree_simulation *simulation, double began) {
     simulation->since = timer_now();
     simulation->spent = 0;
     simulation->record.setup = simulation->since - began;
-    run_report_begin(simulation->state, &simulation->record);
+    run_report_begin(&simulation->state->timers, simulation->state->ranks.ghosts,
+                     simulation->state->clock.step, &simulation->record);
 }
 
 /* Gives all ranks the text of rank 0, which it frees. */

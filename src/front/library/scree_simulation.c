@@ -1,8 +1,6 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* A simulation in another program: made, stepped, ended. Read scree.h first. */
-#include "front/library/scree_observe.h"
-#include "front/library/scree_report.h"
-#include "front/library/scree_stages.h"
+#include "front/library/scree_parts.h"
 #include "base/memory.h"
 #include "engine/checked.h"
 #include "engine/outputs.h"
@@ -172,37 +170,38 @@ bool scree_step(struct scree_simulation *simulation, uint64_t steps, struct scre
     return scree_parts_tell(own, error);
 }
 
-/* The state; NULL where there is none, or not yet. */
-static const struct simulation *state_of(const struct scree_simulation *simulation) {
-    return simulation ? simulation->state : NULL;
+/* True if there is a state; a simulation that is being made has none yet. */
+static bool is_made(const struct scree_simulation *simulation) {
+    return simulation && simulation->state;
+}
+
+/* The clock of the state; zeros where there is none. */
+static struct clock clock_of(const struct scree_simulation *simulation) {
+    return is_made(simulation) ? simulation->state->clock : (struct clock){0};
 }
 
 uint64_t scree_steps_left(const struct scree_simulation *simulation) {
-    const struct simulation *s = state_of(simulation);
-    if (s == NULL || scree_stages_over(simulation))
+    const struct clock clock = clock_of(simulation);
+    if (!is_made(simulation) || scree_stages_over(simulation))
         return 0;
-    uint64_t now = s->clock.step, last = run_last_step(s->scene, &s->stage, &s->clock);
-    return last > now ? last - now : 0;
+    uint64_t last = run_last_step(simulation->state->scene, &simulation->state->stage, &clock);
+    return last > clock.step ? last - clock.step : 0;
 }
 
 uint64_t scree_step_number(const struct scree_simulation *simulation) {
-    const struct simulation *s = state_of(simulation);
-    return s ? s->clock.step : 0;
+    return clock_of(simulation).step;
 }
 
 double scree_time(const struct scree_simulation *simulation) {
-    const struct simulation *s = state_of(simulation);
-    return s ? s->clock.time : 0;
+    return clock_of(simulation).time;
 }
 
 double scree_time_step(const struct scree_simulation *simulation) {
-    const struct simulation *s = state_of(simulation);
-    return s ? s->clock.dt : 0;
+    return clock_of(simulation).dt;
 }
 
 uint64_t scree_particles(const struct scree_simulation *simulation) {
-    const struct simulation *s = state_of(simulation);
-    return s ? s->total : 0;
+    return is_made(simulation) ? simulation->state->total : 0;
 }
 
 const char *scree_scene(const struct scree_simulation *simulation) {

@@ -1,9 +1,8 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* A simulation goes from stage to stage as a run does: by a checkpoint, from which the simulation of the next stage begins.
- * Read scree_stages.h first. */
-#include "front/library/scree_stages.h"
-#include "front/library/scree_observe.h"
-#include "front/library/scree_report.h"
+ * Read scree_parts.h first. */
+#include "front/library/scree_parts.h"
+#include "engine/index_view.h"
 #include "engine/resume.h"
 #include "base/file.h"
 #include "data/scene/scene_files.h"
@@ -44,19 +43,22 @@ bool scree_stages_first(struct scree_simulation *simulation, const char *resume,
 
 bool scree_stages_begin(struct scree_simulation *simulation, struct error *error) {
     char title[RUN_STAGES_TITLE_MAX];
-    run_stages_open(&simulation->stages, simulation->state, &simulation->run, error);
+    struct simulation *s = simulation->state;
+    const struct output_view view = simulation_view(s);
+    run_stages_open(&simulation->stages, s->scene, &s->stage, &view, &simulation->run, error);
+    s->sums_each_step = s->sums_each_step || run_stages_need_work(&simulation->stages);
     if (!comm_agree(&simulation->comm, error))
         return false;
     if (simulation->scene->stages > 0 && simulation->comm.rank == 0) {
-        run_stages_title(simulation->state, title, sizeof title);
-        log_text(&simulation->state->caller.log, title);
+        run_stages_title(s->scene, &s->stage, &s->clock, title, sizeof title);
+        log_text(&s->caller.log, title);
     }
     return true;
 }
 
 bool scree_stages_over(const struct scree_simulation *simulation) {
-    const struct simulation *s = simulation->state;
-    return s->scene->stages > 0 && s->stage.number >= (uint64_t)s->scene->stages;
+    const struct scene *scene = simulation->state->scene;
+    return scene->stages > 0 && simulation->state->stage.number >= (uint64_t)scene->stages;
 }
 
 bool scree_stages_want_sums(const struct scree_simulation *simulation, uint64_t number) {
@@ -141,7 +143,8 @@ bool scree_stages_advance(struct scree_simulation *simulation, struct error *err
     bool last = scree_stages_last(simulation, s->clock.step);
     if (run_stages_due(&simulation->stages, &s->stage, s->clock.step)) {
         physics_look(&s->physics);
-        run_stages_look(&simulation->stages, s, error);
+        const struct output_view view = simulation_view(s);
+        run_stages_look(&simulation->stages, &view, &s->stage, error);
         if (!comm_agree(&simulation->comm, error))
             return false;
     }

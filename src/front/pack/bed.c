@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
-/* Height and solid fraction of a bed. Read bed.h first. */
-#include "front/pack/bed.h"
+/* Height and solid fraction of a bed. Read pack.h first. */
+#include "front/pack/pack.h"
 #include "base/random.h"
 
 #include <math.h>

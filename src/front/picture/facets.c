@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
-/* Reads the orientations of rocks, and writes their faces. Read facets.h first. */
-#include "front/picture/facets.h"
+/* Reads the orientations of rocks, and writes their faces. Read paint.h first. */
+#include "front/picture/paint.h"
 #include "base/memory.h"
 #include "physics/bodies/rotor.h"
 #include "physics_table.h"

@@ -2,4 +2,4 @@
 noinst_LTLIBRARIES += libpicture.la
 libpicture_la_SOURCES = \
 	%D%/camera.c %D%/facets.c %D%/paint.c %D%/picture.c %D%/picture_source.c %D%/shapes.c %D%/camera.h \
-	%D%/facets.h %D%/paint.h %D%/picture.h %D%/picture_source.h %D%/shapes.h
+	%D%/paint.h %D%/picture.h %D%/picture_source.h %D%/shapes.h

@@ -4,7 +4,7 @@
  *
  *     picture_source.h: a frame of a run, and the value that gives each particle its colour
  *         ->  shapes.h: the walls at that time, as triangles and tubes
- *         ->  facets.h: rocks with their faces
+ *         ->  facets.c: rocks with their faces
  *         ->  camera.h: everything in the coordinates of the camera
  *         ->  paint.h: colours, and the text of the scene for POV-Ray
  *         ->  picture.c: starts POV-Ray and, for a film, ffmpeg */

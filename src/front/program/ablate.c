@@ -2,9 +2,7 @@
 /* `scree ablate`: one scene over indexes, threads, newton settings and values of any of its keys; a table of stage times,
  * pairs, memory, and of what the solver of contacts did. */
 #include "front/program/commands.h"
-#include "front/program/ablate_error.h"
-#include "front/program/ablate_run.h"
-#include "front/program/ablate_table.h"
+#include "front/program/ablate_parts.h"
 #include "front/program/trial.h"
 #include "kernel/comm/cores.h"
 #include "base/memory.h"

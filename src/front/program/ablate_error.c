@@ -10,8 +10,7 @@
  *     times       each variant again, unwatched, in turn, as often as asked for
  *
  * All runs share their sample times: steps are shortened so that a whole number of them lies between. */
-#include "front/program/ablate_error.h"
-#include "front/program/ablate_run.h"
+#include "front/program/ablate_parts.h"
 #include "front/program/speed_error.h"
 #include "front/program/trial.h"
 #include "base/memory.h"

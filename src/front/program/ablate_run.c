@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* Runs a scene of a comparison and makes an error of a signal that ends it. */
-#include "front/program/ablate_run.h"
+#include "front/program/ablate_parts.h"
 #include "base/memory.h"
 
 bool ablate_run(const struct comm *comm, const struct scene *scene, const struct ablate_options *looks,

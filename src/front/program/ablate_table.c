@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
-/* The tables of `scree ablate`, and the rows that the terminal shows. Read ablate_table.h first. */
-#include "front/program/ablate_table.h"
+/* The tables of `scree ablate`, and the rows that the terminal shows. Read ablate_parts.h first. */
+#include "front/program/ablate_parts.h"
 #include "front/program/tabular.h"
 #include "base/file.h"
 #include "base/memory.h"

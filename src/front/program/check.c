@@ -6,6 +6,7 @@
 #include "physics/grains/grains.h"
 #include "engine/skin_auto.h"
 #include "engine/tune.h"
+#include "engine/rebuild.h"
 #include "engine/step.h"
 #include "engine/notes.h"
 #include "engine/outputs.h"
@@ -182,21 +183,21 @@ static void print_guards(const struct scene_guards *guards, const struct grains 
                                                                 : "growth without cause is looked for");
 }
 
-static void print_memory(const struct simulation *s, bool all) {
-    double n = s->particles->owned ? (double)s->particles->owned : 1;
+static void print_memory(const struct particles *particles, const struct search *search,
+                         const struct law *law, bool skin_chosen, bool all) {
+    double n = particles->owned ? (double)particles->owned : 1;
     printf("%smemory, rank 0: %.1f MiB, %.0f bytes a particle%s", all ? "\n" : "",
            (double)memory_in_use() / 1048576, (double)memory_in_use() / n, all ? "\n" : "; ");
     if (all)
         printf("  particles %.1f, pairs %.1f, index %.1f, history %.1f MiB\n",
-               (double)(particles_bytes_each(s->particles) * s->particles->capacity) / 1048576,
-               (double)pairlist_memory(s->search.list) / 1048576,
-               (double)index_memory(s->search.index) / 1048576,
-               s->search.history ? (double)history_memory(s->search.history) / 1048576 : 0);
+               (double)(particles_bytes_each(particles) * particles->capacity) / 1048576,
+               (double)pairlist_memory(search->list) / 1048576, (double)index_memory(search->index) / 1048576,
+               search->history ? (double)history_memory(search->history) / 1048576 : 0);
     else
-        check_parts_bytes(s->particles, &grains_of(&s->physics)->law);
-    if (s->scene->classes.skin_auto)
+        check_parts_bytes(particles, law);
+    if (skin_chosen)
         printf("  pairs up to %.1f MiB, as the run chooses the skin\n",
-               fmax(SKIN_PAIRS_MOST * n * 2 * sizeof(uint32_t), (double)pairlist_memory(s->search.list)) /
+               fmax(SKIN_PAIRS_MOST * n * 2 * sizeof(uint32_t), (double)pairlist_memory(search->list)) /
                    1048576);
 }
 
@@ -251,7 +252,9 @@ static void print_extents(const struct scene *scene, const struct grains *grains
 /* The parts of the program that work on the scene. */
 static void print_inside(const struct simulation *s) {
     printf("\npasses of a step\n");
-    step_plan_print(s, stdout);
+    step_plan_print(&s->plan, s->scene->step.fused, stdout);
+    printf("\npasses of a rebuild\n");
+    rebuild_print(s->scene, &s->ranks, &s->search, &s->physics, stdout);
     check_parts_fields(s->particles, s->scene, &grains_of(&s->physics)->law);
     if (!s->ranks.alone)
         check_parts_wire(s->particles, s->search.view.newton);
@@ -271,14 +274,16 @@ static void print_scene(const struct simulation *s, const struct notes *notes, b
     if (scene->reproducible)
         printf("  reproducible: pairs across ranks are computed on both sides (newton off, full copies)\n");
     print_extents(scene, grains, notes);
-    check_parts_terms(s, all);
+    check_parts_terms(scene, grains, s->ranks.alone, s->sums_each_step, all);
     if (all)
         print_inside(s);
     print_classes(&s->classes);
-    if (s->scene->classes.skin_auto)
+    if (scene->classes.skin_auto)
         printf("  the run chooses the skin: from %.3g to %.3g times that above, with up to %d pairs a "
                "particle\n",
-               skin_choice_factor(SKIN_LEAST), skin_auto_most(s), SKIN_PAIRS_MOST);
+               skin_choice_factor(SKIN_LEAST),
+               skin_auto_most(&s->search.choice, &s->classes, scene, &s->box, s->ranks.alone),
+               SKIN_PAIRS_MOST);
     print_interactions(&s->search.interactions, scene->materials > 0);
     print_levels(&s->search, scene->index.name, all);
     if (all)
@@ -288,13 +293,13 @@ static void print_scene(const struct simulation *s, const struct notes *notes, b
     print_guards(&scene->guards, grains, notes_moved(notes, &s->classes, s->clock.dt));
     if (s->clock.dt > s->timing.stable)
         printf("  step     %.3g of the stable one: energy will grow\n", s->clock.dt / s->timing.stable);
-    print_memory(s, all);
+    print_memory(s->particles, &s->search, &grains->law, scene->classes.skin_auto, all);
 }
 
 /* Refuses scenes that a run would refuse before its first step although all parts can be made. */
 static bool outputs_suit(const struct simulation *s, struct error *error) {
     struct outputs *outputs;
-    struct output_run run = outputs_run(s, NULL);
+    struct output_run run = outputs_run(s->scene, &s->box, &s->lineage, NULL);
     return outputs_create(&outputs, s, &run, error) && outputs_close(&outputs, s->comm, error);
 }
 

@@ -3,7 +3,6 @@
 #include "front/program/check_parts.h"
 #include "physics/grains/laws/law_restitution.h"
 #include "physics/grains/grains.h"
-#include "engine/simulation.h"
 #include "data/formats/frame.h"
 #include "kernel/particles/fields.h"
 #include <math.h>
@@ -106,10 +105,9 @@ static void print_part(struct terms *terms, const char *term, enum law_part part
     print_term(terms, term, text, none);
 }
 
-void check_parts_terms(const struct simulation *s, bool all) {
-    const struct grains *grains = grains_of(&s->physics);
+void check_parts_terms(const struct scene *scene, const struct grains *grains, bool alone, bool sums,
+                       bool all) {
     struct terms terms = {.all = all};
-    const struct scene *scene = s->scene;
     char text[WHY_MAX] = "";
     printf("\nwhat is modelled, and why\n");
     char law[LAW_TITLE_MAX];
@@ -145,10 +143,10 @@ void check_parts_terms(const struct simulation *s, bool all) {
                                                       : "density x 4/3 pi r^3 (box.density: volume)");
     print_term(&terms, "motion along z", scene->box.dimension == 3 ? "box.dimension: 3" : "",
                "box.dimension: 2");
-    print_term(&terms, "exchange of copies", s->ranks.alone ? "" : "several ranks", "one rank");
+    print_term(&terms, "exchange of copies", alone ? "" : "several ranks", "one rank");
     print_term(&terms, "energy sums",
                grains->contact.want_work ? "heat.dissipation"
-               : s->sums_each_step       ? "guards.energy"
+               : sums                    ? "guards.energy"
                                          : "",
                "at rows of observables alone; each step if dissipated energy is among them");
     if (terms.off[0])

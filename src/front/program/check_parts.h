@@ -4,15 +4,17 @@
 #ifndef SCREE_FRONT_PROGRAM_CHECK_PARTS_H
 #define SCREE_FRONT_PROGRAM_CHECK_PARTS_H
 
-#include "engine/simulation.h"
 #include "engine/state.h"
 #include "physics/grains/laws/law.h"
 
 #include <stdbool.h>
 
 /* Prints the terms of the contact law that the scene brings, each with what brought it. The terms that it leaves out
- * are named in one line; with `all` each has the setting that would bring it. One thread. */
-void check_parts_terms(const struct simulation *s, bool all);
+ * are named in one line; with `all` each has the setting that would bring it. `alone`: on one rank; `sums`: energies are summed
+ * in each step. One thread. */
+struct grains;
+void check_parts_terms(const struct scene *scene, const struct grains *grains, bool alone, bool sums,
+                       bool all);
 
 /* Prints the fields of a particle with bytes and reason, and those that are not needed. One thread. */
 void check_parts_fields(const struct particles *particles, const struct scene *scene, const struct law *law);

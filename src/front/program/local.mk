@@ -5,9 +5,8 @@ libapp_la_SOURCES = \
 	%D%/command.c %D%/command_line.c %D%/command_pack.c %D%/command_picture.c %D%/layout.c %D%/lookup.c \
 	%D%/manual.c %D%/pack_settle.c %D%/page.c %D%/run_cost.c %D%/sample.c %D%/scree_main.c %D%/speed_error.c \
 	%D%/speed_plot.c %D%/speed_write.c %D%/step_study.c %D%/tabular.c %D%/trial.c %D%/variant.c \
-	%D%/variant_keys.c %D%/ablate_error.h %D%/ablate_run.h %D%/ablate_table.h %D%/axis.h %D%/check_parts.h \
-	%D%/command.h %D%/command_line.h %D%/commands.h %D%/pack_settle.h %D%/sample.h %D%/speed_error.h \
-	%D%/speed_plot.h %D%/tabular.h %D%/trial.h %D%/variant.h
+	%D%/variant_keys.c %D%/ablate_parts.h %D%/axis.h %D%/check_parts.h %D%/command.h %D%/command_line.h \
+	%D%/commands.h %D%/pack_settle.h %D%/sample.h %D%/speed_error.h %D%/tabular.h %D%/trial.h %D%/variant.h
 libapp_la_CPPFLAGS = $(AM_CPPFLAGS) -DSCREE_PAGE_FOLDER='"$(pagedir)"'
 
 bin_PROGRAMS += scree

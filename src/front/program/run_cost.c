@@ -107,7 +107,7 @@ static void grids_print(const struct observables_options *options, int dimension
 static void files_print(const struct simulation *s, bool all, uint64_t steps) {
     const struct output_options *output = &s->scene->output;
     const struct trajectory_options *trajectory = &output->trajectory;
-    bool told = s->comm->rank == 0, varying = outputs_run(s, NULL).varying;
+    bool told = s->comm->rank == 0, varying = outputs_run(s->scene, &s->box, &s->lineage, NULL).varying;
     const struct output_view view = simulation_view(s);
     double total = (double)s->total, frame = total * frame_bytes(&view, &trajectory->fields, 0, varying),
            first = total * frame_bytes(&view, &trajectory->fields, 0, true),

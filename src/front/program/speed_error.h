@@ -98,7 +98,15 @@ void speed_print(const struct speed_report *report, FILE *file);
 
 /* Writes DIR/speed_error.csv, a row a variant; DIR/speed_error_reference.csv, a row an observable: scale,
  * error and order of the reference, spread; DIR/speed_error.txt, the text of speed_print; and the plot
- * (speed_plot.h). */
+ * (speed_plot). */
 bool speed_write(const struct speed_report *report, const char *directory, struct error *error);
+
+/* The picture of speed against error. This code places the labels, as gnuplot would print labels on top of
+ * each other. */
+
+/* Writes DIR/speed_error.gp, and DIR/speed_error.svg by gnuplot (a warning if gnuplot is not found). Errors
+ * below the floor are drawn on the floor. Each point of the front has a label; other points have one if there
+ * is room. Only rank 0. Fails (system) if the script cannot be written. */
+bool speed_plot(const struct speed_report *report, const char *directory, struct error *error);
 
 #endif

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
-/* Places labels and writes the script of the plot. Read speed_plot.h first. */
-#include "front/program/speed_plot.h"
+/* Places labels and writes the script of the plot. Read speed_error.h first. */
+#include "front/program/speed_error.h"
 #include "base/program.h"
 #include <math.h>
 #include <string.h>

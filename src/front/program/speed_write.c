@@ -2,7 +2,6 @@
 /* Tables and words of speed against error. */
 #include "front/program/tabular.h"
 #include "front/program/speed_error.h"
-#include "front/program/speed_plot.h"
 #include "base/memory.h"
 #include "base/version.h"
 #include <math.h>

@@ -35,27 +35,29 @@ static void agree(const struct comm *comm, struct trial *trial, double began) {
     trial->seconds = seconds;
 }
 
-static void notice(const struct simulation *s, uint64_t rebuilds, struct trial *trial) {
-    if (!trial->touched && grains_of(&s->physics)->sums.contact_sides > 0) {
+/* Notes the first step, of number `step`, after which there are contacts, or the lists were made again. */
+static void notice(struct trial *trial, uint64_t step, bool touches, bool rebuilt) {
+    if (!trial->touched && touches) {
         trial->touched = true;
-        trial->contact_first = s->clock.step;
+        trial->contact_first = step;
     }
-    if (!trial->rebuilt && s->search.skin->rebuilds > rebuilds) {
+    if (!trial->rebuilt && rebuilt) {
         trial->rebuilt = true;
-        trial->rebuild_first = s->clock.step;
+        trial->rebuild_first = step;
     }
 }
 
 /* Runs the steps of the trial. Returns the signal that ended the trial, or 0. */
 static int steps_run(struct simulation *s, struct progress *progress, struct trial *trial) {
+    const struct force_sums *sums = &grains_of(&s->physics)->sums;
     uint64_t rebuilds = s->search.skin->rebuilds;
     double began = timer_now();
-    notice(s, rebuilds, trial);
+    notice(trial, s->clock.step, sums->contact_sides > 0, false);
     agree(s->comm, trial, began);
     while (s->clock.step < trial->last) {
         trial_step(s);
         trial->steps++;
-        notice(s, rebuilds, trial);
+        notice(trial, s->clock.step, sums->contact_sides > 0, s->search.skin->rebuilds > rebuilds);
         progress_update(progress, s->clock.step, s->total, s->clock.time);
         if (s->agree.signals.error || (s->ranks.alone && s->error.kind != ERROR_NONE))
             break;

@@ -24,19 +24,19 @@ static struct field_list fields_shown(const struct particles *particles) {
     return shown;
 }
 
-char *shot_about(const struct simulation *s) {
+char *shot_about(const struct scene *scene, const struct box *box, const struct particles *particles) {
     char *text = memory_allocate_zero(ABOUT_ROOM, 1, "live view");
     FILE *file = fmemopen(text, ABOUT_ROOM - 1, "w");
-    struct field_list shown = fields_shown(s->particles);
-    bool plain = s->scene->units == SCENE_UNITS_NONE;
+    struct field_list shown = fields_shown(particles);
+    bool plain = scene->units == SCENE_UNITS_NONE;
     if (file == NULL)
         error_fatal("out of memory: live view");
     fprintf(file, "{\"title\": ");
-    report_json_text(file, s->scene->title);
-    fprintf(file, ", \"dimension\": %d, \"lower\": [%.9g, %.9g, %.9g], \"fields\": [", s->box.dimension,
-            s->box.origin[0], s->box.origin[1], s->box.origin[2]);
+    report_json_text(file, scene->title);
+    fprintf(file, ", \"dimension\": %d, \"lower\": [%.9g, %.9g, %.9g], \"fields\": [", box->dimension,
+            box->origin[0], box->origin[1], box->origin[2]);
     for (int k = 0; k < shown.count; k++) {
-        const struct field *field = fields_get(s->particles, shown.field[k]);
+        const struct field *field = fields_get(particles, shown.field[k]);
         fprintf(file, "%s{\"name\": ", k ? ", " : "");
         report_json_text(file, field->name);
         fprintf(file, ", \"unit\": ");
@@ -97,24 +97,23 @@ static void shares_find(const struct size_classes *classes, double share[CLASS_M
     }
 }
 
-/* Fills the rows of this rank's particles; returns their number. */
-static size_t rows_fill(const struct simulation *s, int field, struct row *rows) {
-    const struct particles *p = s->particles;
+/* Fills the rows of this rank's particles, of a part of each class if `thin`; returns their number. */
+static size_t rows_fill(const struct particles *p, const struct size_classes *classes, const struct box *box,
+                        bool thin, int field, struct row *rows) {
     struct field_list shown = fields_shown(p);
     int f = shown.field[field >= 0 && field < shown.count ? field : 0];
     const struct field *of = fields_get(p, f);
     size_t stride, count = 0;
     const char *values = fields_base(p, f, &stride);
     double share[CLASS_MAX];
-    bool thin = s->total > SHOT_MOST;
-    shares_find(&s->classes, share);
+    shares_find(classes, share);
     for (size_t i = 0; i < p->owned; i++) {
         const struct particle_state *state = &p->state[i];
         if (thin && draw(p->id[i]) >= share[p->size_class[i]])
             continue;
         struct row *row = &rows[count++];
         for (int d = 0; d < 3; d++)
-            row->x[d] = (float)(state->x[d] + s->box.origin[d]);
+            row->x[d] = (float)(state->x[d] + box->origin[d]);
         row->radius = (float)state->radius;
         row->value = (float)value_of(of, values + i * stride);
     }
@@ -135,7 +134,8 @@ static void head_write(const struct simulation *s, int field, bool paused, size_
 
 char *shot_take(const struct simulation *s, int field, bool paused, size_t *bytes) {
     char *frame = memory_allocate(SHOT_HEAD + s->particles->owned * sizeof(struct row), 1, "live view");
-    size_t count = rows_fill(s, field, (struct row *)(void *)(frame + SHOT_HEAD));
+    size_t count = rows_fill(s->particles, &s->classes, &s->box, s->total > SHOT_MOST, field,
+                             (struct row *)(void *)(frame + SHOT_HEAD));
     if (s->comm->size > 1) {
         void *all = NULL;
         size_t own = count * sizeof(struct row);

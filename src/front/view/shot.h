@@ -13,7 +13,7 @@ enum { SHOT_HEAD = 512, SHOT_NUMBERS = 5, SHOT_MOST = 100000 };
 
 /* The description of a run as JSON: title, box, and the fields that can give the colour, in the order of their numbers;
  * memory_free releases. Any rank. */
-char *shot_about(const struct simulation *simulation);
+char *shot_about(const struct scene *scene, const struct box *box, const struct particles *particles);
 
 /* A frame, coloured by field number `field` (0 where there is no such field), of `bytes` bytes; memory_free releases. NULL
  * on ranks other than 0. Collective. */

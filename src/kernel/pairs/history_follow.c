@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* The possible partners in a hash table, which all threads fill at a time. Several particles may have one id: the
  * original and its copies. */
-#include "kernel/pairs/history_follow.h"
+#include "kernel/pairs/history_keep.h"
 #include "base/memory.h"
 #include "base/scan.h"
 #include "base/hash.h"

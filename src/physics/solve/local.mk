@@ -10,8 +10,7 @@ libsolve_la_CPPFLAGS += -DSCREE_MODULES='"$(pkglibdir)"'
 libsolve_la_LIBADD += $(DL_LIBS)
 pkglib_LTLIBRARIES += libsolve_petsc.la
 libsolve_petsc_la_SOURCES = \
-	%D%/petsc.c %D%/petsc_free.c %D%/petsc_matrix.c %D%/petsc_solver.c %D%/petsc_system.c %D%/petsc_parts.h \
-	%D%/petsc_system.h
+	%D%/petsc.c %D%/petsc_free.c %D%/petsc_matrix.c %D%/petsc_solver.c %D%/petsc_system.c %D%/petsc_parts.h
 libsolve_petsc_la_CPPFLAGS = $(AM_CPPFLAGS) $(PETSC_CFLAGS)
 libsolve_petsc_la_LDFLAGS = $(AM_LDFLAGS) -module -avoid-version -export-symbols-regex '^petsc_backend$$'
 libsolve_petsc_la_LIBADD = libcore.la $(PETSC_LIBS) $(MPI_LIBS)

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* Calls of PETSc that name the function that failed, and options that the user has not set. */
-#include "physics/solve/petsc_system.h"
+#include "physics/solve/petsc_parts.h"
 
 #include <stdio.h>
 #include <string.h>
