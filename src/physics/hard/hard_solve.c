@@ -84,6 +84,9 @@ static void bodies_make(struct hard_solver *solver, const struct hard_input *inp
     comm_max(solver->comm, most, 2);
 }
 
+/* Sweeps whose residual has grown by this factor go on with care. */
+static const double grown = 2.0;
+
 static double residual_of(const struct hard_solver *solver) {
     double sum[3];
     hard_problem_residual(&solver->problem, sum);
@@ -97,13 +100,14 @@ static void sweep(struct hard_solver *solver, struct hard_result *result) {
     const struct hard_options *options = &solver->options;
     struct hard_problem *problem = &solver->problem;
     int first = result->sweeps, done = 0;
-    result->residual = INFINITY;
+    double least = result->residual = INFINITY;
     while (done < options->sweeps && result->residual > options->tolerance) {
-        hard_problem_sweep(problem);
-        hard_border_join(&solver->border, problem, true);
+        hard_border_turns(&solver->border, problem, hard_problem_sweep);
         result->sweeps = first + ++done;
         if (done % LOOK_EVERY == 0 || done == options->sweeps)
             result->residual = residual_of(solver);
+        solver->border.careful = solver->border.careful || result->residual > grown * least;
+        least = fmin(least, result->residual);
     }
 }
 
@@ -128,11 +132,11 @@ static void rebound(struct hard_solver *solver, struct hard_result *result) {
         return;
     }
     for (int k = 0; k < REBOUND_SWEEPS; k++) {
-        double any = hard_problem_rebound(problem);
+        double any = hard_problem_rebounds(problem);
         comm_max(solver->comm, &any, 1);
         if (any <= 0.0)
             break;
-        hard_border_join(&solver->border, problem, true);
+        hard_border_turns(&solver->border, problem, hard_problem_rebound);
     }
 }
 
@@ -143,16 +147,11 @@ static void iterate(struct hard_solver *solver, size_t owned, struct hard_result
     if (newton)
         hard_newton_begin(&solver->newton, problem, &solver->border, owned);
     hard_problem_warm(problem);
-    hard_border_join(&solver->border, problem, false);
-    hard_border_split(&solver->border, problem, true);
+    hard_border_join(&solver->border, problem);
     sweep(solver, result);
-    if (newton) {
-        hard_border_split(&solver->border, problem, false);
+    if (newton)
         refine(solver, result);
-        hard_border_split(&solver->border, problem, true);
-    }
     rebound(solver, result);
-    hard_border_split(&solver->border, problem, false);
 }
 
 static const double *gathered_of(const void *border, size_t k) {
@@ -321,7 +320,7 @@ void hard_solver_step(struct hard_solver *solver, const struct hard_input *input
                                    .rest = impact_speed * most[1] * input->dt,
                                    .sweeps = solver->exact ? INT_MAX : solver->options.sweeps};
     hard_contacts_find(&solver->contacts, problem, &solver->pairs, &input->scene, &solver->terms, &pace);
-    hard_border_count(&solver->border, problem);
+    hard_border_count(&solver->border, problem, solver->comm->rank);
     int64_t rows = (int64_t)problem->rows;
     comm_sum_int(solver->comm, &rows, 1);
     result->rows = (uint64_t)rows;

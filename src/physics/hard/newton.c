@@ -239,12 +239,8 @@ static double settle(struct hard_newton *newton) {
 
 /* Sweeps of Gauss and Seidel. */
 static void smooth(struct hard_newton *newton, int sweeps) {
-    hard_border_split(newton->border, newton->problem, true);
-    for (int k = 0; k < sweeps; k++) {
-        hard_problem_sweep(newton->problem);
-        hard_border_join(newton->border, newton->problem, true);
-    }
-    hard_border_split(newton->border, newton->problem, false);
+    for (int k = 0; k < sweeps; k++)
+        hard_border_turns(newton->border, newton->problem, hard_problem_sweep);
 }
 
 /* A step of the method; returns the iterations of its linear solver. */

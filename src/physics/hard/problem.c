@@ -9,6 +9,7 @@ enum { ROWS_ALONE = 1500 };
 void hard_problem_free(struct hard_problem *problem) {
     memory_free(problem->body);
     memory_free(problem->row);
+    memory_free(problem->turn);
     memory_free(problem->colour);
     memory_free(problem->cut);
     *problem = (struct hard_problem){0};
@@ -71,29 +72,48 @@ void hard_problem_warm(struct hard_problem *problem) {
     hard_problem_visit(problem, warm, problem);
 }
 
-static void sweep(void *context, size_t row, size_t end) {
-    struct hard_problem *problem = context;
-    for (struct hard_row *r = &problem->row[row]; r < &problem->row[end]; r++)
-        hard_visit(r, problem->dt, &problem->body[r->body[0]], &problem->body[r->body[1]]);
+/* Visits of the rows of a turn. */
+struct visit {
+    struct hard_problem *problem;
+    enum hard_turn turn;
+};
+
+static bool is_in(const struct visit *visit, size_t row) {
+    return visit->turn == HARD_TURN_ALL || visit->problem->turn[row] == (uint8_t)visit->turn;
 }
 
-void hard_problem_sweep(struct hard_problem *problem) {
-    hard_problem_visit(problem, sweep, problem);
+static void sweep(void *context, size_t row, size_t end) {
+    const struct visit *visit = context;
+    struct hard_problem *problem = visit->problem;
+    for (; row < end; row++) {
+        struct hard_row *r = &problem->row[row];
+        if (is_in(visit, row))
+            hard_visit(r, problem->dt, &problem->body[r->body[0]], &problem->body[r->body[1]]);
+    }
+}
+
+void hard_problem_sweep(struct hard_problem *problem, enum hard_turn turn) {
+    hard_problem_visit(problem, sweep, &(struct visit){problem, turn});
 }
 
 static void rebound(void *context, size_t row, size_t end) {
-    struct hard_problem *problem = context;
-    for (struct hard_row *r = &problem->row[row]; r < &problem->row[end]; r++)
-        if (hard_rebounds(r))
+    const struct visit *visit = context;
+    struct hard_problem *problem = visit->problem;
+    for (; row < end; row++) {
+        struct hard_row *r = &problem->row[row];
+        if (is_in(visit, row) && hard_rebounds(r))
             hard_rebound(r, &problem->body[r->body[0]], &problem->body[r->body[1]]);
+    }
 }
 
-bool hard_problem_rebound(struct hard_problem *problem) {
+void hard_problem_rebound(struct hard_problem *problem, enum hard_turn turn) {
+    hard_problem_visit(problem, rebound, &(struct visit){problem, turn});
+}
+
+bool hard_problem_rebounds(const struct hard_problem *problem) {
     bool any = false;
     for (size_t r = 0; r < problem->rows && !any; r++)
         any = hard_rebounds(&problem->row[r]);
-    if (any)
-        hard_problem_visit(problem, rebound, problem);
     return any;
 }
 

@@ -291,10 +291,10 @@ static void test_poisson(void **state) {
                                                .impact = true};
         }
         for (int sweep = 0; sweep < SWEEPS; sweep++)
-            hard_problem_sweep(&problem);
+            hard_problem_sweep(&problem, HARD_TURN_ALL);
         assert_true(hard_problem_expand(&problem));
         for (int sweep = 0; sweep < SWEEPS; sweep++)
-            hard_problem_sweep(&problem);
+            hard_problem_sweep(&problem, HARD_TURN_ALL);
         for (int b = 0; b < RING; b++) {
             const struct hard_body *body = &problem.body[b];
             after += 0.5 * vector_dot(body->v, body->v) / body->lightness +
