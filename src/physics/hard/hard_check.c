@@ -123,9 +123,6 @@ static bool check_newton(const struct scene *scene, const struct hard_options *o
     if (isinf(options->kappa))
         return scene_fail(scene, error, "contact.solver.kappa",
                           "rigid rows have no derivative; allowed with newton is a finite number");
-    if (scene->physics_given[PHYSICS_bodies])
-        return scene_fail(scene, error, "contact.solver.name",
-                          "newton knows spheres alone; allowed with bodies: gauss_seidel");
     if (options->model != HARD_MODEL_COULOMB)
         return scene_fail(scene, error, "contact.solver.model",
                           "newton has Coulomb's law alone; allowed with it: coulomb");
