@@ -2,7 +2,7 @@
 /* A row of a contact problem as Newton's method sees it: impulses as a function of the velocity at the contact, and
  * minus the derivative of that function. Geometry and mechanics alone: no lists, no threads, no ranks.
  *
- * With y = hold - u_t / soft_t, t its direction, and p the normal impulse:
+ * With y = hold - u_t / soft_t, t its direction, and p the normal impulse (and `press` of a cohesion, in the limit):
  *
  *   stick  |y| <= friction p   q = y               derivative (1 - n n) / soft_t
  *   slide                      q = friction p t    derivative (1 - n n - t t) friction p / (soft_t |y|) + friction t dp/du
@@ -64,7 +64,7 @@ static inline void hard_newton_at(const struct hard_row *row, struct hard_newton
     const double *hold;
     double soft = hard_newton_spring(row, slide, &hold), along = vector_dot(u, row->normal), square = 0.0;
     *p = hard_newton_push(row, dt, along, &newton->push);
-    double bound = row->friction * *p;
+    double bound = row->friction * (*p + row->press);
     newton->grip = newton->slip = newton->couple = 0.0;
     for (int d = 0; d < 3; d++) {
         newton->along[d] = q[d] = 0.0;

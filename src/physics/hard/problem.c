@@ -55,6 +55,17 @@ void hard_problem_visit(const struct hard_problem *problem,
     }
 }
 
+static void pull(void *context, size_t row, size_t end) {
+    static const double none[3] = {0.0, 0.0, 0.0};
+    struct hard_problem *problem = context;
+    for (struct hard_row *r = &problem->row[row]; r < &problem->row[end]; r++)
+        hard_apply(r, &problem->body[r->body[0]], &problem->body[r->body[1]], -r->pull, none);
+}
+
+void hard_problem_pull(struct hard_problem *problem) {
+    hard_problem_visit(problem, pull, problem);
+}
+
 static void warm(void *context, size_t row, size_t end) {
     struct hard_problem *problem = context;
     for (struct hard_row *r = &problem->row[row]; r < &problem->row[end]; r++) {

@@ -41,7 +41,10 @@ void *hard_problem_grow(void *array, size_t *room, size_t count, size_t size);
 void hard_problem_begin(struct hard_problem *problem, double dt);
 void hard_problem_end_colour(struct hard_problem *problem);
 
-/* Applies the impulses that the rows begin with. Opens its own team of threads, as the functions below. */
+/* Applies the pulls of cohesion, which are given. Opens its own team of threads, as the functions below. */
+void hard_problem_pull(struct hard_problem *problem);
+
+/* Applies the impulses that the rows begin with. */
 void hard_problem_warm(struct hard_problem *problem);
 
 /* Calls `visit` for the rows of each cut, the cuts of a colour by many threads. */

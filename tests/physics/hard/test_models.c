@@ -211,6 +211,8 @@ static void test_arm(void **state) {
             resist.hold.roll[d] = between(&random, -0.1, 0.1) * (row.normal[d] == 0.0);
         if (k % 2)
             row.resist = &resist;
+        if (k % 5 == 0)
+            row.press = 0.2; /* of a cohesion */
         struct hard_row other = row;
         other.arm = &arm;
         hard_wish(&row, 0.1, &body[0], &body[1], &answer[0]);
