@@ -83,42 +83,51 @@ void hard_problem_warm(struct hard_problem *problem) {
     hard_problem_visit(problem, warm, problem);
 }
 
-/* Visits of the rows of a turn. */
-struct visit {
-    struct hard_problem *problem;
-    enum hard_turn turn;
-};
-
-static bool is_in(const struct visit *visit, size_t row) {
-    return visit->turn == HARD_TURN_ALL || visit->problem->turn[row] == (uint8_t)visit->turn;
-}
-
 static void sweep(void *context, size_t row, size_t end) {
-    const struct visit *visit = context;
-    struct hard_problem *problem = visit->problem;
-    for (; row < end; row++) {
-        struct hard_row *r = &problem->row[row];
-        if (is_in(visit, row))
-            hard_visit(r, problem->dt, &problem->body[r->body[0]], &problem->body[r->body[1]]);
-    }
-}
-
-void hard_problem_sweep(struct hard_problem *problem, enum hard_turn turn) {
-    hard_problem_visit(problem, sweep, &(struct visit){problem, turn});
+    struct hard_problem *problem = context;
+    for (struct hard_row *r = &problem->row[row]; r < &problem->row[end]; r++)
+        hard_visit(r, problem->dt, &problem->body[r->body[0]], &problem->body[r->body[1]]);
 }
 
 static void rebound(void *context, size_t row, size_t end) {
-    const struct visit *visit = context;
-    struct hard_problem *problem = visit->problem;
-    for (; row < end; row++) {
-        struct hard_row *r = &problem->row[row];
-        if (is_in(visit, row) && hard_rebounds(r))
+    struct hard_problem *problem = context;
+    for (struct hard_row *r = &problem->row[row]; r < &problem->row[end]; r++)
+        if (hard_rebounds(r))
             hard_rebound(r, &problem->body[r->body[0]], &problem->body[r->body[1]]);
+}
+
+/* Visits of the rows of a turn, by runs of them. */
+struct visit {
+    struct hard_problem *problem;
+    enum hard_turn turn;
+    void (*run)(void *context, size_t row, size_t end);
+};
+
+static void visit_turn(void *context, size_t row, size_t end) {
+    const struct visit *visit = context;
+    const uint8_t *turn = visit->problem->turn;
+    for (size_t r = row, next; r < end; r = next) {
+        for (next = r + 1; next < end && turn[next] == turn[r];)
+            next++;
+        if (turn[r] == (uint8_t)visit->turn)
+            visit->run(visit->problem, r, next);
     }
 }
 
+static void visit_rows(struct hard_problem *problem, enum hard_turn turn,
+                       void (*run)(void *context, size_t row, size_t end)) {
+    if (turn == HARD_TURN_ALL)
+        hard_problem_visit(problem, run, problem);
+    else
+        hard_problem_visit(problem, visit_turn, &(struct visit){problem, turn, run});
+}
+
+void hard_problem_sweep(struct hard_problem *problem, enum hard_turn turn) {
+    visit_rows(problem, turn, sweep);
+}
+
 void hard_problem_rebound(struct hard_problem *problem, enum hard_turn turn) {
-    hard_problem_visit(problem, rebound, &(struct visit){problem, turn});
+    visit_rows(problem, turn, rebound);
 }
 
 bool hard_problem_rebounds(const struct hard_problem *problem) {
