@@ -15,6 +15,10 @@
 #include "physics/hard/thin.h"
 #include "physics/grains/walls/wall.h"
 
+/* An approach faster than so many times a dt is an impact: a is the largest acceleration without contacts, and that by the
+ * contact's own pull. */
+#define HARD_IMPACT_SPEED 8.0
+
 struct hard_term {
     double friction, restitution;
     double stiffness;  /* force/length; of Hertz force/length^2, times the contact radius; 0: by kappa */
@@ -77,7 +81,7 @@ struct hard_scene {
 struct hard_pace {
     double dt, duration;
     double near; /* contacts with larger gaps cannot close in this step; length */
-    double pull; /* the largest acceleration without contacts */
+    double fall; /* the largest acceleration without contacts */
     int sweeps;  /* at most */
 };
 

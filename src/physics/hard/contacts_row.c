@@ -9,10 +9,6 @@ static const double rigid_repair = 0.2;
  * stiff rows that do not converge would swing. */
 static const double warm_sweeps = 0.75, warm_part = 0.8;
 
-/* An approach faster than so many times a dt is an impact: a is the largest acceleration without contacts, and that by the
- * row's own pull. */
-static const double impact_speed = 8.0;
-
 /* Surfaces touch up to a gap of this part of the smaller radius: rounding. */
 static const double touch = 1e-9;
 
@@ -105,7 +101,7 @@ static void resist_make(struct hard_row *row, const struct hard_term *term, cons
 /* True if the row begins an impact. `pull`: of the surfaces once they touch. */
 static bool is_impact(const struct hard_row *row, const struct hard_term *term, const struct hard_pace *pace,
                       const struct hard_ends *ends, double pull) {
-    double slowest = impact_speed * pace->dt * (pace->pull + pull * ends->light);
+    double slowest = HARD_IMPACT_SPEED * pace->dt * (pace->fall + pull * ends->light);
     return ends->memory->push <= 0.0 && row->approach > slowest && is_brief(row, term, pace, ends->light);
 }
 

@@ -318,7 +318,7 @@ void hard_solver_step(struct hard_solver *solver, const struct hard_input *input
     const struct hard_pace pace = {.dt = input->dt,
                                    .duration = input->duration,
                                    .near = fmin(solver->reach, hard_solver_wants(input, result->fastest)),
-                                   .pull = most[1],
+                                   .fall = most[1],
                                    .sweeps = solver->exact ? INT_MAX : solver->options.sweeps};
     hard_contacts_find(&solver->contacts, problem, &solver->pairs, &input->scene, &solver->terms, &pace);
     hard_border_count(&solver->border, problem, solver->comm->rank);
