@@ -50,7 +50,7 @@ check_PROGRAMS += \
 	%D%/physics/grains/walls/test_wall_images %D%/physics/grains/walls/test_wall_mesh \
 	%D%/physics/grains/walls/test_wall_motion %D%/physics/grains/walls/test_wall_moving \
 	%D%/physics/grains/walls/test_wall_touch %D%/physics/hard/test_hard %D%/physics/hard/test_models \
-	%D%/physics/hard/test_newton %D%/physics/hard/test_resist
+	%D%/physics/hard/test_newton %D%/physics/hard/test_pull %D%/physics/hard/test_resist
 check_LTLIBRARIES += libtests.la
 libtests_la_SOURCES = \
 	%D%/index/bench_fit.c %D%/index/bench_scene.c %D%/index/index_cloud.c %D%/mpi/cloud.c %D%/mpi/fixture.c \

@@ -56,6 +56,19 @@ check 'it rests' rests hertz
 check 'a linear spring' run_scene 1 bed.yaml hooke --set threads=1 --set contact='{law: hooke, solver: {sweeps: 30}}' --set material_pairs[0].k_n=1e5 \
     --set output.checkpoint.every=1600
 check 'it rests' rests hooke
+# A bed that settles needs as many sweeps on four ranks, each of which meets two others at faces and one at an edge, as on one
+mean() { # RANKS X Y: sweeps a step to the tolerance
+    run_scene "$1" bed.yaml mean --overwrite --set threads=1 --set domain="{x: $2, y: $3, z: 1}" --set step.count=500 --set contact.solver='{tolerance: 1e-5, sweeps: 1000}' \
+        --set 'observables={every: {steps: 1}, list: [{name: contact_sweeps}]}' --set 'output=~' --set 'particles.sources[1]=~' \
+        --set particles.sources[0].count=100 --set 'particles.sources[0].region.upper=[8 mm, 8 mm, 26 mm]' || return 1
+    tail -n 200 mean/observables.csv | awk -F, '{ s += $2 } END { print s / NR }'
+}
+flat() {
+    local one=$(mean 1 1 1) two=$(mean 2 2 1) four=$(mean 4 2 2)
+    echo "  sweeps on 1, 2 and 4 ranks: $one, $two, $four"
+    within "$two" "$one" "$(awk -v n="$one" 'BEGIN { print 0.15 * n }')" && within "$four" "$one" "$(awk -v n="$one" 'BEGIN { print 0.15 * n }')"
+}
+check 'the count of sweeps does not grow with the ranks' flat
 weights() { # the contact list has the forces that the floor feels
     local file=one/observables.csv
     within "$(last_of "$file" coordination)" "$(awk -v n="$(last_of "$file" contacts)" 'BEGIN { print 2 * n / 61 }')" 0.5

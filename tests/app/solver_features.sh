@@ -50,6 +50,12 @@ material_pairs=[{restitution: 0.3}]'
 material_pairs=[{restitution: 0.3, friction: 0.4, k_n: 1e4}]'
     [hertz]='contact.law=hertz
 materials=[{name: a, density: 1, young: 1e5, poisson: 0.3}, {name: b, density: 2, young: 2e5, poisson: 0.2}]'
+    [sticky]='contact.cohesion=dmt
+material_pairs=[{restitution: 0.3, friction: 0.4, surface_energy: 0.02}]'
+    [glue]='contact.law=hertz
+materials=[{name: a, density: 1, young: 1e5, poisson: 0.3}, {name: b, density: 2, young: 2e5, poisson: 0.2}]
+contact.cohesion=dmt
+material_pairs=[{restitution: 0.3, friction: 0.4, surface_energy: 0.02}]'
     [comes]='insertions=[{region: {shape: box, lower: [0, 1, 7], upper: [4, 5, 8]}, sizes: 0.3, rate: 10, velocity: [0, 0, -1], material: a}]
 deletions=[{region: {shape: box, lower: [-1, 0, 2], upper: [5, 3, 3]}, every: 50}]'
     [comes-plane]='insertions=[{region: {shape: box, lower: [0, 7], upper: [14, 8]}, sizes: 0.3, rate: 10, velocity: [0, -1], material: a}]
@@ -89,7 +95,7 @@ together() {
         run_scene $(($1 % 4 + 1)) "$2.yaml" goes --resume runs/checkpoint-200.h5 "${flags[@]}" && sound goes $all
 }
 ranks=0
-for law in rigid stiff soft slick hooke hertz; do
+for law in rigid stiff soft slick hooke hertz sticky glue; do
     for scene in space plane; do
         for more in '' 'comes stages' clumps; do
             ranks=$((ranks % 4 + 1))

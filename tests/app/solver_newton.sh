@@ -67,6 +67,50 @@ check 'Hertz at 70 GPa on two ranks' settles 2 glass2 --set threads=1 "${glass[@
 check 'a linear spring settles by sweeps' run_scene 1 bed.yaml hooke --set threads=1 --set guards.residual=off --set contact.law=hooke --set material_pairs[0].k_n=1e5
 kept=hooke/checkpoint-900.h5
 check 'a linear spring' settles 1 spring --set threads=1 --set contact.law=hooke --set material_pairs[0].k_n=1e5
+clumps='bodies.clumps=[{spheres: [{centre: [-0.5, 0, 0], radius: 1}, {centre: [0.7, 0, 0], radius: 0.8}]}]'
+check 'bodies settle by sweeps' run_scene 1 bed.yaml bodies --set threads=1 --set guards.residual=off --set "$clumps"
+kept=bodies/checkpoint-900.h5
+check 'bodies' settles 1 body1 --set threads=1 --set "$clumps"
+check 'bodies on two ranks' settles 2 body2 --set threads=1 --set "$clumps"
+
+# agree DIR DIR: velocities and spins after a step, to 1e-6 g dt and that over a radius
+agree() {
+    paste <(rows "$1") <(rows "$2") | awk '{ n = NF / 2; for (k = 6; k <= n; k++) { d = $k - $(k + n); if (k > 8) d *= 1e-3; d = d < 0 ? -d : d; if (d > most) most = d } }
+        END { print "  " NR " spheres and bodies differ by " most / 9.81e-4 " g dt"; exit !(NR > 100 && most < 1e-6 * 9.81e-4) }'
+}
+step() { # RANKS DIR SOLVER: one more
+    run_scene "$1" bed.yaml "$2" --resume "$kept" --set threads=1 --set step.count=901 --set output.dump.every.steps=1 --set guards.residual=off --set "$clumps" --set contact.solver="$3"
+}
+check 'a step of bodies by very many sweeps' step 1 swept '{sweeps: 20000, tolerance: 1e-12}'
+check "the same by Newton's method" step 1 newton '{name: newton, sweeps: 10, tolerance: 1e-11}'
+check 'they agree' agree swept newton
+check 'on two ranks' step 2 newton2 '{name: newton, sweeps: 10, tolerance: 1e-11}'
+check 'they agree' agree swept newton2
+
+cat >heavy.yaml <<'EOS'
+units: none
+box: {lower: [-2, -2, 0], upper: [2, 2, 10]}
+gravity: [0, 0, -10]
+step: {dt: 1e-3, count: 300}
+contact: {law: rigid, solver: {name: newton, sweeps: 30, tolerance: 1e-6, kappa: 100}}
+materials: [{name: light, density: 1}, {name: heavy, density: 1e4}]
+material_pairs: [{restitution: 0, friction: 0.3}]
+walls: [{name: floor, shape: plane, point: [0, 0, 0], normal: [0, 0, 1], material: light}]
+bodies:
+  clumps:
+    - {material: light, orientation: given, quaternion: [1, 0, 0, 0], size: drawn, spheres: [{centre: [0.5, 0, 0], radius: 0.5}, {centre: [-0.25, 0.4330127, 0], radius: 0.5}, {centre: [-0.25, -0.4330127, 0], radius: 0.5}]}
+particles:
+  sources:
+    - {from: single, position: [0, 0, 0.5], radius: 1, material: light}
+    - {from: single, position: [0, 0, 1.914214], radius: 1, material: heavy}
+observables: {every: 1, list: [{name: contact_newton}, {name: contact_residual}, {name: overlap_max}]}
+EOS
+heavy() { # 5 steps of Newton's at most, one as a rule
+    run_scene 1 heavy.yaml heavy --set threads=1 || return 1
+    read -r most mean <<<"$(column heavy contact_newton)"
+    within "$most" 3 3 && within "$mean" 1 0.5 && within "$(column heavy contact_residual | cut -d' ' -f1)" 0 1e-6
+}
+check 'a sphere of ten thousand times its mass on a body of three' heavy
 reports() { "$scree" run bed.yaml -o told --set threads=1 --set guards.residual=off --set step.count=300 --set contact.solver="$newton" >said 2>&1; holds said 'newton  ' && holds said 'newton_step'; }
 check 'the report has its steps' reports
 refuses() { # WORDS FLAG...

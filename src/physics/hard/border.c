@@ -8,9 +8,9 @@ enum { NUMBERS = 6 };
 
 void hard_border_free(struct hard_border *border) {
     memory_free(border->last);
-    memory_free(border->holders);
+    memory_free(border->share);
     border->last = NULL;
-    border->holders = NULL;
+    border->share = NULL;
     border->room = 0;
 }
 
@@ -52,7 +52,8 @@ void hard_border_send(struct hard_border *border, struct hard_problem *problem) 
     if (all > border->room) {
         border->room = all + all / 4;
         border->last = memory_resize(border->last, border->room, sizeof *border->last, "copies of contacts");
-        border->holders = memory_resize(border->holders, border->room, sizeof(double), "copies of contacts");
+        border->share =
+            memory_resize(border->share, border->room, sizeof *border->share, "copies of contacts");
     }
     const uint32_t *original = ghosts_originals(border->ghosts, &count);
     for (size_t k = 0; k < count; k++)
@@ -66,25 +67,67 @@ static void sum_home(struct hard_border *border) {
     ghosts_sum(border->ghosts, border->particles, &fields);
 }
 
-void hard_border_count(struct hard_border *border, const struct hard_problem *problem) {
+/* Numbers of a particle while rows are counted: by turn, and the rank that owns it. */
+enum { RANK = HARD_TURNS };
+
+/* The turn of a row, from the ranks of its bodies. */
+static uint8_t turn_of(const struct hard_border *border, const struct hard_row *row, int rank) {
+    size_t owned = border->particles->owned, all = owned + border->particles->ghosts;
+    int turn = HARD_TURN_INSIDE;
+    for (int e = 0; e < 2; e++)
+        if (row->body[e] >= owned && row->body[e] < all)
+            turn = numbers_of(border, row->body[e])[RANK] < rank ? HARD_TURN_DOWN : HARD_TURN_UP;
+    return (uint8_t)turn;
+}
+
+/* Copies take the numbers of their originals. */
+static void spread_all(struct hard_border *border) {
     const struct field_list fields = fields_one(border->field);
-    struct particles *p = border->particles;
-    size_t all = p->owned + p->ghosts;
+    ghosts_forward_begin(border->ghosts, border->particles, &fields);
+    ghosts_forward_end(border->ghosts, border->particles);
+}
+
+/* The weight of the contacts of others beside a holder's own. */
+static const double others_usual = 0.25, others_careful = 1.0;
+
+/* The part of the mass of particle k that this holder has in a turn; 1: all. */
+static double part_of(const struct hard_border *border, size_t k, enum hard_turn turn) {
+    const struct hard_share *share = &border->share[k];
+    if (turn == HARD_TURN_ALL || !(share->own[turn] > 0.0))
+        return 1.0;
+    double own = share->own[turn], others = share->all[turn] - own;
+    return own / (own + (border->careful ? others_careful : others_usual) * others);
+}
+
+void hard_border_count(struct hard_border *border, struct hard_problem *problem, int rank) {
+    size_t all;
     if (border->ghosts == NULL)
         return;
-    for (size_t k = 0; k < all; k++)
-        memset(numbers_of(border, k), 0, NUMBERS * sizeof(double));
-    for (size_t r = 0; r < problem->rows; r++)
-        for (int e = 0; e < 2; e++)
-            if (problem->row[r].body[e] < all)
-                numbers_of(border, problem->row[r].body[e])[0] = 1.0;
-    sum_home(border);
-    ghosts_forward_begin(border->ghosts, p, &fields);
-    ghosts_forward_end(border->ghosts, p);
+    all = border->particles->owned + border->particles->ghosts;
     for (size_t k = 0; k < all; k++) {
-        double holders = numbers_of(border, k)[0];
-        border->holders[k] = holders > 1.0 ? holders : 1.0;
+        memset(numbers_of(border, k), 0, NUMBERS * sizeof(double));
+        numbers_of(border, k)[RANK] = k < border->particles->owned ? rank : 0.0;
     }
+    spread_all(border);
+    problem->turn = hard_problem_grow(problem->turn, &problem->turn_room, problem->rows, 1);
+    for (size_t r = 0; r < problem->rows; r++) {
+        const struct hard_row *row = &problem->row[r];
+        problem->turn[r] = turn_of(border, row, rank);
+        for (int e = 0; e < 2; e++)
+            if (row->body[e] < all)
+                numbers_of(border, row->body[e])[problem->turn[r]] += 1.0;
+    }
+    for (size_t k = 0; k < all; k++) {
+        struct hard_share *share = &border->share[k];
+        *share =
+            (struct hard_share){.lightness = problem->body[k].lightness, .swing = problem->body[k].swing};
+        memcpy(share->own, numbers_of(border, k), sizeof share->own);
+    }
+    sum_home(border);
+    spread_all(border);
+    for (size_t k = 0; k < all; k++)
+        memcpy(border->share[k].all, numbers_of(border, k), sizeof border->share[k].all);
+    border->careful = false;
 }
 
 /* Adds the impulses of a row to the numbers of its end `e`, if that is a particle without lightness. */
@@ -143,41 +186,73 @@ void hard_border_collect(struct hard_border *border, double (*value)[6]) {
         memcpy(value[original[k]], numbers_of(border, original[k]), sizeof *value);
 }
 
-void hard_border_split(const struct hard_border *border, struct hard_problem *problem, bool split) {
-    for (size_t k = 0; border->ghosts && k < border->particles->owned + border->particles->ghosts; k++) {
-        double factor = split ? border->holders[k] : 1.0 / border->holders[k];
-        problem->body[k].lightness *= factor;
-        problem->body[k].swing *= factor;
+/* Gives the bodies at borders the parts of their masses that this holder has in a turn, or the whole. */
+static void masses_split(const struct hard_border *border, struct hard_problem *problem,
+                         enum hard_turn turn) {
+    const struct particles *p = border->particles;
+    size_t count;
+    const uint32_t *original = ghosts_originals(border->ghosts, &count);
+    for (size_t n = 0; n < count + p->ghosts; n++) {
+        size_t k = n < count ? original[n] : p->owned + (n - count);
+        const struct hard_share *share = &border->share[k];
+        double part = part_of(border, k, turn);
+        problem->body[k].lightness = share->lightness / part;
+        problem->body[k].swing = share->swing / part;
     }
 }
 
-void hard_border_join(struct hard_border *border, struct hard_problem *problem, bool split) {
+/* What a holder has done to body k since the last exchange, times its part. */
+static void change_of(const struct hard_border *border, const struct hard_problem *problem, size_t k,
+                      enum hard_turn turn, double change[NUMBERS]) {
+    const struct hard_body *body = &problem->body[k], *last = &border->last[k];
+    double part = part_of(border, k, turn);
+    for (int d = 0; d < 3; d++) {
+        change[d] = part * (body->v[d] - last->v[d]);
+        change[3 + d] = part * (body->w[d] - last->w[d]);
+    }
+}
+
+/* Joins what the holders have done; HARD_TURN_ALL: with whole masses. */
+static void join(struct hard_border *border, struct hard_problem *problem, enum hard_turn turn) {
     struct particles *p = border->particles;
     size_t count;
-    if (border->ghosts == NULL)
-        return;
     const uint32_t *original = ghosts_originals(border->ghosts, &count);
-    for (size_t k = 0; k < p->ghosts; k++) {
-        const struct hard_body *body = &problem->body[p->owned + k], *last = &border->last[p->owned + k];
-        double *number = numbers_of(border, p->owned + k);
-        for (int d = 0; d < 3; d++) {
-            number[d] = body->v[d] - last->v[d];
-            number[3 + d] = body->w[d] - last->w[d];
-        }
-    }
+    for (size_t k = p->owned; k < p->owned + p->ghosts; k++)
+        change_of(border, problem, k, turn, numbers_of(border, k));
     for (size_t k = 0; k < count; k++)
         memset(numbers_of(border, original[k]), 0, NUMBERS * sizeof(double));
     sum_home(border);
     for (size_t k = 0; k < count; k++) {
         struct hard_body *body = &problem->body[original[k]];
         const struct hard_body *last = &border->last[original[k]];
-        double *number = numbers_of(border, original[k]),
-               share = split ? 1.0 / border->holders[original[k]] : 1.0;
+        double *number = numbers_of(border, original[k]), own[NUMBERS];
+        change_of(border, problem, original[k], turn, own);
         for (int d = 0; d < 3; d++) {
-            body->v[d] = last->v[d] + share * (number[d] + (body->v[d] - last->v[d]));
-            body->w[d] = last->w[d] + share * (number[3 + d] + (body->w[d] - last->w[d]));
+            body->v[d] = last->v[d] + (number[d] + own[d]);
+            body->w[d] = last->w[d] + (number[3 + d] + own[3 + d]);
         }
         put(number, body);
     }
     forward(border, problem);
+}
+
+void hard_border_join(struct hard_border *border, struct hard_problem *problem) {
+    if (border->ghosts)
+        join(border, problem, HARD_TURN_ALL);
+}
+
+void hard_border_turns(struct hard_border *border, struct hard_problem *problem,
+                       void (*visit)(struct hard_problem *problem, enum hard_turn turn)) {
+    if (border->ghosts == NULL) {
+        visit(problem, HARD_TURN_ALL);
+        return;
+    }
+    visit(problem, HARD_TURN_INSIDE);
+    hard_border_send(border, problem);
+    for (int turn = HARD_TURN_UP; turn < HARD_TURNS; turn++) {
+        masses_split(border, problem, (enum hard_turn)turn);
+        visit(problem, (enum hard_turn)turn);
+        join(border, problem, (enum hard_turn)turn);
+    }
+    masses_split(border, problem, HARD_TURN_ALL);
 }

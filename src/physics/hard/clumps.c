@@ -42,6 +42,15 @@ const double *hard_clumps_turn(const struct hard_clumps *clumps, uint32_t i) {
     return clumps->turn[clumps->links->pose_of[i]];
 }
 
+int32_t hard_clumps_count(const struct hard_clumps *clumps) {
+    return clumps->links ? clumps->links->rows : 0;
+}
+
+const double *hard_clumps_at(const struct hard_clumps *clumps, int32_t b, uint32_t *particle) {
+    *particle = clumps->links->row[b].particle;
+    return clumps->turn[b];
+}
+
 /* turn x diagonal x its transpose, times a vector. */
 static void inertia_times(const struct bodies_links *links, int32_t b, const double w[3], double out[3]) {
     double own[3];

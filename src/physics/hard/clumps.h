@@ -35,6 +35,10 @@ void hard_clumps_lever(const struct hard_clumps *clumps, uint32_t i, double leve
 /* The inverse inertia of that body, over its `swing`. */
 const double *hard_clumps_turn(const struct hard_clumps *clumps, uint32_t i);
 
+/* The number of bodies and copies; the inverse inertia of number b over its `swing`, and its particle. */
+int32_t hard_clumps_count(const struct hard_clumps *clumps);
+const double *hard_clumps_at(const struct hard_clumps *clumps, int32_t b, uint32_t *particle);
+
 /* Finds the velocities of own bodies at the end of the step without contacts. Collective. */
 void hard_clumps_begin(struct hard_clumps *clumps, double duration);
 

@@ -15,6 +15,10 @@
 #include "physics/hard/thin.h"
 #include "physics/grains/walls/wall.h"
 
+/* An approach faster than so many times a dt is an impact: a is the largest acceleration without contacts, and that by the
+ * contact's own pull. */
+#define HARD_IMPACT_SPEED 8.0
+
 struct hard_term {
     double friction, restitution;
     double stiffness;  /* force/length; of Hertz force/length^2, times the contact radius; 0: by kappa */
@@ -24,6 +28,7 @@ struct hard_term {
     struct law_solved rolls;
     double twisting;        /* largest moment over the normal force; length */
     double twist_stiffness; /* moment over angle */
+    double pull; /* of a cohesion while the surfaces touch: force over the effective radius; 0: none */
 };
 
 struct hard_terms {
@@ -34,6 +39,8 @@ struct hard_terms {
     bool poisson;           /* impacts rebound by Poisson's restitution */
     bool open;              /* of all contacts: spheres have no closed form in this model */
     bool resists;           /* some contacts resist rolling or twisting */
+    bool pulls;             /* some contacts have a cohesion */
+    double press;           /* limits of friction count the pull so many times beside the push */
     int materials;
     struct hard_term *pair; /* materials x materials */
 };
@@ -74,7 +81,7 @@ struct hard_scene {
 struct hard_pace {
     double dt, duration;
     double near; /* contacts with larger gaps cannot close in this step; length */
-    double rest; /* speed of approach above which a new contact is an impact */
+    double fall; /* the largest acceleration without contacts */
     int sweeps;  /* at most */
 };
 

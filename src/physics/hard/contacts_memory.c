@@ -6,10 +6,14 @@
 
 static const char what[] = "contacts of a step";
 
-/* An impact is over in a step: the next one begins without it. */
+/* An impact is over in a step: the next one begins without it, as without the friction of a cohesion that has been torn. */
+static bool is_over(const struct hard_row *row) {
+    return row->impact || !(row->p > 0.0);
+}
+
 static struct hard_memory memory_of(const struct hard_row *row, const struct hard_pace *pace) {
     struct hard_memory memory = {0};
-    if (row->impact)
+    if (is_over(row))
         return memory;
     memory.push = row->p / pace->duration;
     for (int d = 0; d < 3; d++)
@@ -19,7 +23,7 @@ static struct hard_memory memory_of(const struct hard_row *row, const struct har
 
 static struct hard_couple couple_of(const struct hard_row *row, const struct hard_pace *pace) {
     struct hard_couple couple = {0};
-    if (row->impact || row->resist == NULL)
+    if (is_over(row) || row->resist == NULL)
         return couple;
     couple.twist = row->resist->now.twist / pace->duration;
     for (int d = 0; d < 3; d++)

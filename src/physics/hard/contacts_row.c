@@ -9,6 +9,9 @@ static const double rigid_repair = 0.2;
  * stiff rows that do not converge would swing. */
 static const double warm_sweeps = 0.75, warm_part = 0.8;
 
+/* Surfaces touch up to a gap of this part of the smaller radius: rounding. */
+static const double touch = 1e-9;
+
 /* Turns a vector of the tangent plane into that of `normal`, with its length. */
 static void turn(const double old[3], const double normal[3], double out[3]) {
     double along = vector_dot(old, normal), before = vector_dot(old, old), after = 0.0;
@@ -95,6 +98,22 @@ static void resist_make(struct hard_row *row, const struct hard_term *term, cons
     }
 }
 
+/* True if the row begins an impact. `pull`: of the surfaces once they touch. */
+static bool is_impact(const struct hard_row *row, const struct hard_term *term, const struct hard_pace *pace,
+                      const struct hard_ends *ends, double pull) {
+    double slowest = HARD_IMPACT_SPEED * pace->dt * (pace->fall + pull * ends->light);
+    return ends->memory->push <= 0.0 && row->approach > slowest && is_brief(row, term, pace, ends->light);
+}
+
+/* The cohesion of surfaces that touch, or were pressed together in the last step. */
+static void pull_make(struct hard_row *row, const struct hard_terms *terms, const struct hard_pace *pace,
+                      double pull, double smaller, const struct hard_memory *memory) {
+    if (row->impact || (row->gap > touch * smaller && !(memory->push > 0.0)))
+        return;
+    row->pull = pace->duration * pull;
+    row->press = terms->press * row->pull;
+}
+
 void hard_row_finish(struct hard_row *row, const struct hard_problem *problem, const struct hard_terms *terms,
                      const struct hard_term *term, const struct hard_pace *pace,
                      const struct hard_ends *ends) {
@@ -113,7 +132,9 @@ void hard_row_finish(struct hard_row *row, const struct hard_problem *problem, c
     row->approach = -vector_dot(u, row->normal);
     double keep = pace->sweeps >= warm_sweeps * kappa_of(row, pace, push) ? 1.0 : warm_part;
     turn(memory->rub, row->normal, row->hold);
-    row->impact = memory->push <= 0.0 && row->approach > pace->rest && is_brief(row, term, pace, ends->light);
+    double pull = term->pull * effective;
+    row->impact = is_impact(row, term, pace, ends, pull);
+    pull_make(row, terms, pace, pull, smaller, memory);
     if (row->impact && terms->poisson) { /* until they touch: a gap would take the rebound */
         row->bias = fmin(0.0, row->bias);
         row->soft_n = row->soft_t = 0.0;

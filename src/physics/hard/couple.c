@@ -82,11 +82,11 @@ void hard_resist_wish(const struct hard_row *row, const struct hard_body *a, con
     const struct hard_resist *resist = row->resist;
     double radius = resist->radius, swing = radius * radius * (a->swing + b->swing), u[3], rolled[3], s[3];
     double both = radius * (row->lever[0] * a->swing - row->lever[1] * b->swing),
-           slide = hard_slide(row, a, b);
+           slide = hard_slide(row, a, b), pressed = answer->p + row->press;
     double along = spin_of(row, a, b, rolled), hold[3], own[3];
     struct plane plane = {.own = {slide + soft->slide, swing + soft->roll},
                           .both = both,
-                          .most = {row->friction * answer->p, resist->roll_friction * answer->p}};
+                          .most = {row->friction * pressed, resist->roll_friction * pressed}};
     hard_velocity(row, a, b, u);
     double u_n = vector_dot(u, row->normal);
     vector_cross(resist->now.roll, row->normal, own);
@@ -104,7 +104,7 @@ void hard_resist_wish(const struct hard_row *row, const struct hard_body *a, con
     }
     memcpy(answer->q, plane.x[SLIDES], sizeof answer->q);
     vector_cross(row->normal, plane.x[ROLLS], answer->couple.roll);
-    answer->couple.twist = twist_of(resist, swing, radius * along, soft->twist, answer->p);
+    answer->couple.twist = twist_of(resist, swing, radius * along, soft->twist, pressed);
 }
 
 /* How a unit impulse along `from` changes the velocity R w along `to`. */
@@ -127,7 +127,8 @@ double hard_resist_roll(const struct hard_row *row, const struct hard_body *a, c
 void hard_resist_couple(const struct hard_row *row, const struct hard_body *a, const struct hard_body *b,
                         const struct hard_softness *soft, struct hard_answer *answer) {
     const struct hard_resist *resist = row->resist;
-    double axis[3][3], rolled[3], w[3], c[2], x[2], most = resist->roll_friction * answer->p;
+    double axis[3][3], rolled[3], w[3], c[2], x[2], pressed = answer->p + row->press,
+                                                    most = resist->roll_friction * pressed;
     double along = spin_of(row, a, b, rolled);
     hard_general_axes(row->normal, axis);
     w[0] = turned_by(row, a, b, axis[1], axis[1]);
@@ -148,5 +149,5 @@ void hard_resist_couple(const struct hard_row *row, const struct hard_body *a, c
     for (int d = 0; d < 3; d++)
         answer->couple.roll[d] = x[0] * axis[1][d] + x[1] * axis[2][d];
     answer->couple.twist = twist_of(resist, turned_by(row, a, b, row->normal, row->normal),
-                                    resist->radius * along, soft->twist, answer->p);
+                                    resist->radius * along, soft->twist, pressed);
 }

@@ -62,7 +62,7 @@ double hard_general_slide(const struct hard_row *row, const struct hard_body *a,
 
 /* Linear springs. An overlap is released as hard_wish releases it. */
 static void linear(struct framed *f, const struct hard_row *row) {
-    struct hard_local local = {.friction = row->friction};
+    struct hard_local local = {.friction = row->friction, .press = row->press};
     memcpy(local.a, f->w, sizeof local.a);
     local.a[0] += row->soft_n;
     local.a[4] += row->soft_t;
@@ -95,8 +95,9 @@ static void hertzian(struct framed *f, struct hard_row *row, double dt) {
         a[2] = f->w[8] + soft;
         for (int d = 1; d < 3; d++)
             c[d - 1] = f->free[d] + f->w[3 * d] * f->p[0] - soft * vector_dot(row->hold, f->axis[d]);
-        hard_relax_disc(a, c, row->friction * f->p[0], f->p + 1);
-        if (fabs(f->p[0] - last[0]) + fabs(f->p[1] - last[1]) + fabs(f->p[2] - last[2]) <= 1e-14 * f->p[0])
+        hard_relax_disc(a, c, row->friction * (f->p[0] + row->press), f->p + 1);
+        if (fabs(f->p[0] - last[0]) + fabs(f->p[1] - last[1]) + fabs(f->p[2] - last[2]) <=
+            1e-14 * (f->p[0] + row->press))
             break;
     }
 }
@@ -145,7 +146,7 @@ void hard_general_wish(struct hard_row *row, double dt, const struct hard_body *
             hard_softness_of(&next, row->hertz > 0.0 ? hard_shear_soft(&next) : row->soft_t);
         hard_resist_couple(&next, &end[0], &end[1], &soft, answer);
         hard_change(&next, &end[0], &end[1], answer);
-        if (change_of(&next, &last) <= couple_enough * answer->p)
+        if (change_of(&next, &last) <= couple_enough * (answer->p + row->press))
             break;
     }
     row->deep = next.deep;

@@ -27,29 +27,36 @@ static const char *laws_with(const char *trait, char *text, size_t room) {
     return text;
 }
 
-/* True if the chosen row of rolling or twisting has no form in the solver; `names` gets those that have one. */
-static bool has_no_form(const struct law_options *o, enum law_part part, int chosen, char names[NAMES_MOST]) {
+/* True if row k of a part has a form in the solver; none comes first. */
+static bool has_form(enum law_part part, int k) {
     const struct law_extra extra = {0};
+    switch (part) {
+    case LAW_PART_COHESION:
+        return k == 0 || law_cohesion_form_of((enum law_cohesion)k)->constant;
+    case LAW_PART_ROLLING:
+        return k == 0 || law_rolling_solved((enum law_rolling)k, &extra).row != LAW_SOLVED_NONE;
+    case LAW_PART_TWISTING:
+        return k == 0 || law_twisting_solved((enum law_twisting)k, &extra).row != LAW_SOLVED_NONE;
+    default:
+        return k == 0;
+    }
+}
+
+/* True if the chosen row of a part has no form in the solver; `names` gets those that have one. */
+static bool has_no_form(const struct law_options *o, enum law_part part, int chosen, char names[NAMES_MOST]) {
     int count;
     const struct law_part_row *row = law_part_rows(part, &count);
-    bool none = false;
     names[0] = '\0';
-    for (int k = 0; k < count; k++) {
-        const struct law_solved solved = part == LAW_PART_ROLLING
-                                             ? law_rolling_solved((enum law_rolling)k, &extra)
-                                             : law_twisting_solved((enum law_twisting)k, &extra);
-        bool good = k == 0 || solved.row != LAW_SOLVED_NONE; /* none comes first */
-        if (good && law_part_combines(&row[k], law_row_get(o->normal)->traits))
+    for (int k = 0; k < count; k++)
+        if (has_form(part, k) && law_part_combines(&row[k], law_row_get(o->normal)->traits))
             word_add(names, NAMES_MOST, row[k].name);
-        none = none || (k == chosen && !good);
-    }
-    return none;
+    return !has_form(part, chosen);
 }
 
 /* Refuses parts of a law that have no form in the solver. */
 static bool check_law(const struct scene *scene, struct error *error) {
     const struct law_options *o = &scene->law;
-    char laws[128], names[2][NAMES_MOST];
+    char laws[128], names[3][NAMES_MOST];
     if (!law_has_trait(o->normal, "implicit"))
         return scene_fail(scene, error, "contact.solver", "goes with contact.law %s, not with %s",
                           laws_with("implicit", laws, sizeof laws), law_row_get(o->normal)->name);
@@ -57,7 +64,7 @@ static bool check_law(const struct scene *scene, struct error *error) {
         const char *key;
         bool given;
         const char *allowed;
-    } part[] = {{"contact.cohesion", o->cohesion != LAW_COHESION_NONE, "none"},
+    } part[] = {{"contact.cohesion", has_no_form(o, LAW_PART_COHESION, (int)o->cohesion, names[2]), names[2]},
                 {"contact.tangential", o->tangential > LAW_TANGENTIAL_HISTORY, "none, history"},
                 {"contact.rolling", has_no_form(o, LAW_PART_ROLLING, o->rolling, names[0]), names[0]},
                 {"contact.twisting", has_no_form(o, LAW_PART_TWISTING, o->twisting, names[1]), names[1]},
@@ -123,9 +130,6 @@ static bool check_newton(const struct scene *scene, const struct hard_options *o
     if (isinf(options->kappa))
         return scene_fail(scene, error, "contact.solver.kappa",
                           "rigid rows have no derivative; allowed with newton is a finite number");
-    if (scene->physics_given[PHYSICS_bodies])
-        return scene_fail(scene, error, "contact.solver.name",
-                          "newton knows spheres alone; allowed with bodies: gauss_seidel");
     if (options->model != HARD_MODEL_COULOMB)
         return scene_fail(scene, error, "contact.solver.model",
                           "newton has Coulomb's law alone; allowed with it: coulomb");
@@ -158,6 +162,10 @@ bool hard_check(const struct physics_context *context, struct error *error) {
             }
     if (output_interval_set(&scene->output.walls.every))
         return scene_fail(scene, error, "output.walls", with, "no files of loads on walls");
+    if (output_interval_set(&scene->output.contact_problems.every) &&
+        scene->law.cohesion != LAW_COHESION_NONE)
+        return scene_fail(scene, error, "output.contact_problems.every",
+                          "its format has no pulls; allowed with it: cohesion none");
     if (output_interval_set(&scene->output.contact_problems.every) &&
         (scene->law.rolling != LAW_ROLLING_NONE || scene->law.twisting != LAW_TWISTING_NONE))
         return scene_fail(scene, error, "output.contact_problems.every",

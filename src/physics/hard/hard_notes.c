@@ -102,6 +102,22 @@ static size_t contact_bytes(const struct hard_solver *solver) {
     return bytes;
 }
 
+/* What cohesion does to two of the smallest grains. */
+static void pull_print(const struct physics_context *context, FILE *file) {
+    const struct hard *hard = context->self;
+    const struct hard_terms *terms = &hard->solver.terms;
+    double most = 0.0, g = sqrt(vector_dot(context->scene->gravity, context->scene->gravity));
+    for (int k = 0; k < terms->materials * terms->materials; k++)
+        most = fmax(most, terms->pair[k].pull);
+    if (!(most > 0.0) || isinf(hard->sizes.light))
+        return;
+    double force = 0.5 * hard->sizes.smallest * most, a = g + 2.0 * force / hard->sizes.light;
+    fprintf(file, "  pull         of two of the smallest grains: %.4g", force);
+    if (hard->solver.terms.kappa > 0.0)
+        fprintf(file, "; impacts slower than %.3g stick", HARD_IMPACT_SPEED * a * context->clock->dt);
+    fprintf(file, "\n");
+}
+
 void hard_print(const struct physics_context *context, FILE *file) {
     const struct hard *hard = context->self;
     const struct hard_solver *solver = &hard->solver;
@@ -125,5 +141,6 @@ void hard_print(const struct physics_context *context, FILE *file) {
                 "radius\n",
                 price.impact);
     }
+    pull_print(context, file);
     fprintf(file, "  memory       %zu bytes a contact\n", contact_bytes(solver));
 }

@@ -33,6 +33,7 @@ static void *create(const struct physics_context *context) {
     grains_contact(context)->solved = listed;
     grains_contact(context)->solver = hard;
     solver->comm = solver->newton.comm = context->comm;
+    solver->newton.clumps = &solver->clumps;
     solver->options = *(const struct hard_options *)context->options;
     solver->threads = context->threads;
     hard_terms_make(&solver->terms, context, &solver->options);

@@ -8,9 +8,6 @@
 /* The residual is looked at every so many sweeps; restitution takes so many. */
 enum { LOOK_EVERY = 5, REBOUND_SWEEPS = 8 };
 
-/* An approach faster than so many times a dt is an impact, a the largest acceleration without contacts. */
-static const double impact_speed = 8.0;
-
 static double size_of(const double a[3]) {
     return sqrt(vector_dot(a, a));
 }
@@ -84,6 +81,9 @@ static void bodies_make(struct hard_solver *solver, const struct hard_input *inp
     comm_max(solver->comm, most, 2);
 }
 
+/* Sweeps whose residual has grown by this factor go on with care. */
+static const double grown = 2.0;
+
 static double residual_of(const struct hard_solver *solver) {
     double sum[3];
     hard_problem_residual(&solver->problem, sum);
@@ -97,13 +97,14 @@ static void sweep(struct hard_solver *solver, struct hard_result *result) {
     const struct hard_options *options = &solver->options;
     struct hard_problem *problem = &solver->problem;
     int first = result->sweeps, done = 0;
-    result->residual = INFINITY;
+    double least = result->residual = INFINITY;
     while (done < options->sweeps && result->residual > options->tolerance) {
-        hard_problem_sweep(problem);
-        hard_border_join(&solver->border, problem, true);
+        hard_border_turns(&solver->border, problem, hard_problem_sweep);
         result->sweeps = first + ++done;
         if (done % LOOK_EVERY == 0 || done == options->sweeps)
             result->residual = residual_of(solver);
+        solver->border.careful = solver->border.careful || result->residual > grown * least;
+        least = fmin(least, result->residual);
     }
 }
 
@@ -128,11 +129,11 @@ static void rebound(struct hard_solver *solver, struct hard_result *result) {
         return;
     }
     for (int k = 0; k < REBOUND_SWEEPS; k++) {
-        double any = hard_problem_rebound(problem);
+        double any = hard_problem_rebounds(problem);
         comm_max(solver->comm, &any, 1);
         if (any <= 0.0)
             break;
-        hard_border_join(&solver->border, problem, true);
+        hard_border_turns(&solver->border, problem, hard_problem_rebound);
     }
 }
 
@@ -140,19 +141,18 @@ static void rebound(struct hard_solver *solver, struct hard_result *result) {
 static void iterate(struct hard_solver *solver, size_t owned, struct hard_result *result) {
     struct hard_problem *problem = &solver->problem;
     bool newton = solver->options.method == HARD_NEWTON;
+    if (solver->terms.pulls) {
+        hard_problem_pull(problem);
+        hard_border_join(&solver->border, problem);
+    }
     if (newton)
         hard_newton_begin(&solver->newton, problem, &solver->border, owned);
     hard_problem_warm(problem);
-    hard_border_join(&solver->border, problem, false);
-    hard_border_split(&solver->border, problem, true);
+    hard_border_join(&solver->border, problem);
     sweep(solver, result);
-    if (newton) {
-        hard_border_split(&solver->border, problem, false);
+    if (newton)
         refine(solver, result);
-        hard_border_split(&solver->border, problem, true);
-    }
     rebound(solver, result);
-    hard_border_split(&solver->border, problem, false);
 }
 
 static const double *gathered_of(const void *border, size_t k) {
@@ -199,7 +199,7 @@ static void walls_give(const struct hard_solver *solver, const struct hard_input
         const struct wall_place *place = &contacts->wall[k].place;
         double force[3];
         for (int d = 0; d < 3; d++) {
-            force[d] = (row->p * row->normal[d] + row->q[d]) / input->duration;
+            force[d] = (hard_net(row) * row->normal[d] + row->q[d]) / input->duration;
             result->lost -= force[d] * input->duration * place->velocity[d];
         }
         walls_push(input->scene.walls, 0, place, force, 0); /* no servos */
@@ -210,7 +210,7 @@ static void walls_give(const struct hard_solver *solver, const struct hard_input
 static void pull_of(const struct hard_row *row, double duration, double branch[3], double force[3]) {
     for (int d = 0; d < 3; d++) {
         branch[d] = (row->lever[0] + row->lever[1]) * row->normal[d];
-        force[d] = (row->p * row->normal[d] + row->q[d]) / duration;
+        force[d] = (hard_net(row) * row->normal[d] + row->q[d]) / duration;
     }
 }
 
@@ -248,7 +248,7 @@ static void account_cut(const struct hard_solver *solver, const struct hard_inpu
         const struct hard_row *row = &solver->problem.row[r];
         double stored[2], branch[3], force[3];
         overlap_note(solver, input->particles, r, part);
-        part->contacts += row->p > 0.0;
+        part->contacts += hard_acts(row);
         if (row->p > 0.0 && row->gap <= 0.0 && !row->impact)
             part->approach = fmax(part->approach, approach_of(&solver->problem, row));
         hard_stored(row, input->dt, input->duration, stored);
@@ -290,7 +290,7 @@ size_t hard_solver_list(const struct hard_solver *solver, const struct particles
     for (size_t r = first; r < end; r++) {
         const struct hard_row *row = &solver->problem.row[r];
         struct force_contact *contact = &(*contacts)[count];
-        if (!(row->p > 0.0))
+        if (!hard_acts(row))
             continue;
         size_t at[2];
         hard_contacts_ends(&solver->contacts, &solver->pairs, r, at);
@@ -318,10 +318,10 @@ void hard_solver_step(struct hard_solver *solver, const struct hard_input *input
     const struct hard_pace pace = {.dt = input->dt,
                                    .duration = input->duration,
                                    .near = fmin(solver->reach, hard_solver_wants(input, result->fastest)),
-                                   .rest = impact_speed * most[1] * input->dt,
+                                   .fall = most[1],
                                    .sweeps = solver->exact ? INT_MAX : solver->options.sweeps};
     hard_contacts_find(&solver->contacts, problem, &solver->pairs, &input->scene, &solver->terms, &pace);
-    hard_border_count(&solver->border, problem);
+    hard_border_count(&solver->border, problem, solver->comm->rank);
     int64_t rows = (int64_t)problem->rows;
     comm_sum_int(solver->comm, &rows, 1);
     result->rows = (uint64_t)rows;

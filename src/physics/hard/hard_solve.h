@@ -38,7 +38,7 @@ struct hard_result {
     double approach;  /* largest speed at which two that touch still approach */
     size_t contacts;  /* with a force */
     double lost;      /* energy that contacts took of grains, without that of walls */
-    double stored[2]; /* in the springs of contacts: normal, tangential */
+    double stored[2]; /* in the springs and cohesions of contacts: normal, tangential */
     double virial[6];
 };
 
@@ -64,7 +64,7 @@ double hard_solver_wants(const struct hard_input *input, double fastest);
 /* Solves a step, and adds the forces of contacts to particles and walls. Collective. */
 void hard_solver_step(struct hard_solver *solver, const struct hard_input *input, struct hard_result *result);
 
-/* Lists the contacts of the last step that push, those of pairs or those with walls; allocates (memory_free). One thread. */
+/* Lists the contacts of the last step that push or pull, those of pairs or those with walls; allocates (memory_free). One thread. */
 size_t hard_solver_list(const struct hard_solver *solver, const struct particles *particles, bool walls,
                         struct force_contact **contacts);
 

@@ -2,6 +2,7 @@
 /* How the contacts of each pair of materials answer, from the law of the scene. Read contacts.h first. */
 #include "base/memory.h"
 #include "physics/grains/grains.h"
+#include "physics/grains/laws/law_cohesion.h"
 #include "physics/hard/hard_state.h"
 
 /* Rolling and twisting by the law's parts. */
@@ -12,6 +13,12 @@ static void resistances_take(struct hard_term *term, const struct law *law, int 
     term->rolling = law_pair_of(law, a, b)->rolling_friction;
     term->twisting = twisting.limit;
     term->twist_stiffness = twisting.stiffness;
+}
+
+/* The pull of a cohesion that is constant while the surfaces touch, over the effective radius. */
+static double pull_of(const struct law *law, int a, int b) {
+    const struct law_surfaces surfaces = {law_pair_of(law, a, b), law_extra_of(law, a, b), {2.0, 2.0}, 1.0};
+    return law_cohesion_pull(law->options.cohesion, &surfaces, 1.0, false).force;
 }
 
 void hard_terms_make(struct hard_terms *terms, const struct physics_context *context,
@@ -25,7 +32,8 @@ void hard_terms_make(struct hard_terms *terms, const struct physics_context *con
                                  .hertz = !stiff && !form->linear,
                                  .relax = hard_relax_model((enum hard_model_number)options->model)->relax,
                                  .poisson = options->restitution == HARD_RESTITUTION_POISSON,
-                                 .open = options->model == HARD_MODEL_PROJECTION};
+                                 .open = options->model == HARD_MODEL_PROJECTION,
+                                 .press = law_cohesion_form_of(law->options.cohesion)->press - 1.0};
     bool slick = options->model == HARD_MODEL_FRICTIONLESS;
     terms->materials = scene->materials;
     terms->pair = memory_allocate_zero((size_t)(scene->materials * scene->materials), sizeof *terms->pair,
@@ -35,10 +43,12 @@ void hard_terms_make(struct hard_terms *terms, const struct physics_context *con
             const struct law_coefficients *c = law_pair_of(law, a, b);
             struct hard_term *term = &terms->pair[a * scene->materials + b];
             *term = (struct hard_term){.friction = slick ? 0.0 : c->friction,
-                                       .restitution = scene_law_pair(scene, a, b)->restitution};
+                                       .restitution = scene_law_pair(scene, a, b)->restitution,
+                                       .pull = pull_of(law, a, b)};
             if (!slick)
                 resistances_take(term, law, a, b);
             terms->resists = terms->resists || term->rolling > 0.0 || term->twisting > 0.0;
+            terms->pulls = terms->pulls || term->pull > 0.0;
             if (stiff)
                 continue;
             term->stiffness = c->k_n;

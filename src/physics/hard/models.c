@@ -53,6 +53,11 @@ static void slip_at(const struct hard_local *l, double n, double c[2]) {
     c[1] = l->c[2] + l->a[6] * n;
 }
 
+/* Friction's limit. */
+static double most_at(const struct hard_local *l, double n) {
+    return l->friction * (n + l->press);
+}
+
 static void frictionless(const struct hard_local *l, double p[3]) {
     p[0] = fmax(0.0, -l->c[0] / l->a[0]);
     p[1] = p[2] = 0.0;
@@ -68,15 +73,28 @@ static bool sticks(const struct hard_local *l, double p[3]) {
     slip_at(l, -l->c[0] / l->a[0], c);
     solve2(a, 0.0, c, p + 1);
     p[0] = -(l->c[0] + l->a[1] * p[1] + l->a[2] * p[2]) / l->a[0];
-    return p[0] >= 0.0 && square2(p + 1) <= l->friction * p[0] * (l->friction * p[0]);
+    double most = most_at(l, p[0]);
+    return p[0] >= 0.0 && square2(p + 1) <= most * most;
+}
+
+/* The impulses of a contact that opens; false: its friction would close it. */
+static bool opens(const struct hard_local *l, double p[3]) {
+    double a[3], c[2];
+    if (l->c[0] < 0.0 && l->friction > 0.0)
+        return false;
+    frictionless(l, p);
+    if (!(most_at(l, 0.0) > 0.0))
+        return true;
+    tangents(l, a);
+    slip_at(l, 0.0, c);
+    hard_relax_disc(a, c, most_at(l, 0.0), p + 1);
+    return l->c[0] + l->a[1] * p[1] + l->a[2] * p[2] >= 0.0;
 }
 
 static void coulomb(const struct hard_local *l, double p[3]) {
     double a[3], c[2], last[3], stuck[3];
-    if (!(l->c[0] < 0.0) || !(l->friction > 0.0)) { /* of two answers the one that separates */
-        frictionless(l, p);
+    if (opens(l, p)) /* of two answers the one that separates */
         return;
-    }
     if (sticks(l, stuck)) {
         memcpy(p, stuck, sizeof stuck);
         return;
@@ -86,15 +104,15 @@ static void coulomb(const struct hard_local *l, double p[3]) {
         memcpy(last, p, sizeof last);
         p[0] = fmax(0.0, -(l->c[0] + l->a[1] * p[1] + l->a[2] * p[2]) / l->a[0]);
         slip_at(l, p[0], c);
-        double most = l->friction * p[0];
+        double most = most_at(l, p[0]), whole = p[0] + l->press;
         if (hard_relax_disc(a, c, most, p + 1) && most > 0.0) { /* along this direction both at once */
-            double along = l->a[0] + (l->a[1] * p[1] + l->a[2] * p[2]) / p[0];
-            double n = along > 0.0 ? -l->c[0] / along : p[0];
-            p[1] *= n / p[0];
-            p[2] *= n / p[0];
+            double turns = (l->a[1] * p[1] + l->a[2] * p[2]) / whole, along = l->a[0] + turns;
+            double n = along > 0.0 ? fmax(0.0, (-l->c[0] - l->press * turns) / along) : p[0];
+            p[1] *= (n + l->press) / whole;
+            p[2] *= (n + l->press) / whole;
             p[0] = n;
         }
-        if (fabs(p[0] - last[0]) + fabs(p[1] - last[1]) + fabs(p[2] - last[2]) <= enough * p[0])
+        if (fabs(p[0] - last[0]) + fabs(p[1] - last[1]) + fabs(p[2] - last[2]) <= enough * (p[0] + l->press))
             break;
     }
 }
@@ -105,25 +123,28 @@ static void decoupled(const struct hard_local *l, double p[3]) {
     tangents(l, a);
     slip_at(l, p[0], c);
     solve2(a, 0.0, c, p + 1);
-    double most = l->friction * p[0], square = square2(p + 1);
+    double most = most_at(l, p[0]), square = square2(p + 1);
     double keep = square > most * most ? most / sqrt(square) : 1.0;
     p[1] *= keep;
     p[2] *= keep;
 }
 
-/* The point of the cone nearest to p. */
-static void cone(double friction, double p[3]) {
-    double slip = sqrt(square2(p + 1));
-    if (slip <= friction * p[0])
+/* The point of the cone nearest to p; that of a cohesion has its tip below p_n = 0, where it is cut. */
+static void cone(const struct hard_local *l, double p[3]) {
+    double friction = l->friction, slip = sqrt(square2(p + 1)), whole = p[0] + l->press;
+    double n = (whole + friction * slip) / (1.0 + friction * friction), most = most_at(l, 0.0);
+    if (slip <= friction * whole && p[0] >= 0.0)
         return;
-    if (friction * slip <= -p[0]) {
-        p[0] = p[1] = p[2] = 0.0;
+    if (slip > friction * whole && n > l->press) {
+        p[0] = n - l->press;
+        p[1] *= friction * n / slip;
+        p[2] *= friction * n / slip;
         return;
     }
-    double n = (p[0] + friction * slip) / (1.0 + friction * friction);
-    p[0] = n;
-    p[1] *= friction * n / slip;
-    p[2] *= friction * n / slip;
+    double keep = slip > most ? most / slip : 1.0;
+    p[0] = 0.0;
+    p[1] *= keep;
+    p[2] *= keep;
 }
 
 /* Steps down the slope, and back onto the cone; `slips`: with the slip in the normal row. */
@@ -140,10 +161,10 @@ static void project(const struct hard_local *l, bool slips, double p[3]) {
             w[0] += l->friction * sqrt(square2(w + 1));
         for (int d = 0; d < 3; d++)
             p[d] -= step * w[d];
-        cone(l->friction, p);
+        cone(l, p);
         for (int d = 0; d < 3; d++)
             change += fabs(p[d] - last[d]);
-        if (change <= enough * p[0])
+        if (change <= enough * (p[0] + l->press))
             break;
     }
 }
@@ -153,10 +174,8 @@ static void projection(const struct hard_local *l, double p[3]) {
 }
 
 static void de_saxce(const struct hard_local *l, double p[3]) {
-    if (l->c[0] < 0.0)
+    if (!opens(l, p))
         project(l, true, p);
-    else
-        frictionless(l, p);
 }
 
 /* The impulse on the rim of the cone that keeps the contact closed, in a direction; false: none. */
@@ -164,9 +183,9 @@ static bool rim(const struct hard_local *l, double angle, double p[3]) {
     double along = l->a[0] + l->friction * (l->a[1] * cos(angle) + l->a[2] * sin(angle));
     if (!(along > 0.0))
         return false;
-    p[0] = -l->c[0] / along;
-    p[1] = l->friction * p[0] * cos(angle);
-    p[2] = l->friction * p[0] * sin(angle);
+    p[0] = fmax(0.0, (-l->c[0] - l->press * (along - l->a[0])) / along);
+    p[1] = most_at(l, p[0]) * cos(angle);
+    p[2] = most_at(l, p[0]) * sin(angle);
     return true;
 }
 
@@ -184,10 +203,8 @@ static double left(const struct hard_local *l, double angle) {
 static void dissipation(const struct hard_local *l, double p[3]) {
     const double golden = 0.5 * (sqrt(5.0) - 1.0), apart = 2.0 * M_PI / ANGLES;
     double best = 0.0, least = INFINITY;
-    if (!(l->c[0] < 0.0) || !(l->friction > 0.0)) {
-        frictionless(l, p);
+    if (opens(l, p))
         return;
-    }
     if (sticks(l, p))
         return;
     for (int k = 0; k < ANGLES; k++)

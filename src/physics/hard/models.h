@@ -4,7 +4,7 @@
  *
  *   0 <= p_n,  0 <= w_n,  p_n w_n = 0,   |p_t| <= friction p_n,   w_t = 0 or p_t = -friction p_n w_t / |w_t|,   w = A p + c
  *
- * with A = W + softness of the springs and c = free + what they hold. Of spheres A has no entries between normal and
+ * with A = W + softness of the springs and c = free + what they hold; a cohesion adds `press` to p_n in the limit of friction. Of spheres A has no entries between normal and
  * tangent and is the same in all tangents: the solution is a closed form (row.h), which all models but `projection` and
  * `frictionless` share. Of other bodies the models differ.
  *
@@ -21,6 +21,7 @@ struct hard_local {
     double a[9]; /* row by row */
     double c[3];
     double friction;
+    double press; /* friction's limit is friction x (p_n + press): of a cohesion */
 };
 
 /* A model of contacts (scene key contact.solver.model). */

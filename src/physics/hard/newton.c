@@ -22,6 +22,7 @@ void hard_newton_free(struct hard_newton *newton) {
     hard_blocks_free(&newton->blocks);
     memory_free(newton->row);
     memory_free(newton->free);
+    memory_free(newton->root);
     memory_free(newton->y);
 
     memory_free(newton->right);
@@ -56,32 +57,25 @@ static void rooms_make(struct hard_newton *newton) {
         hard_problem_grow(newton->row, &newton->row_room, newton->problem->rows, sizeof *newton->row);
 }
 
-/* The root of lightness that belongs to number d of a body. */
-static double root_of(const struct hard_body *body, int d) {
-    return sqrt(d < 3 ? body->lightness : body->swing);
-}
-
-/* Adds an impulse at a contact to the sums of its bodies. */
-static void scatter(double (*sum)[SIX], const struct hard_row *row, const double impulse[3]) {
-    double turn[3], *a = sum[row->body[0]], *b = sum[row->body[1]];
-    vector_cross(row->normal, impulse, turn);
-    for (int d = 0; d < 3; d++) {
-        a[d] -= impulse[d];
-        b[d] += impulse[d];
-        a[3 + d] -= row->lever[0] * turn[d];
-        b[3 + d] -= row->lever[1] * turn[d];
+/* The roots of all bodies, where some are no spheres. */
+static void roots_make(struct hard_newton *newton) {
+    int32_t count = hard_clumps_count(newton->clumps);
+    size_t all = newton->problem->bodies;
+    if (count == 0)
+        return;
+    newton->root = grow(newton->root, &newton->all_room[2], all);
+    for (size_t k = 0; k < all; k++)
+        memcpy(newton->root[k], hard_root_sphere, sizeof hard_root_sphere);
+    for (int32_t b = 0; b < count; b++) {
+        uint32_t k;
+        const double *turn = hard_clumps_at(newton->clumps, b, &k);
+        hard_root_make(turn, newton->root[k]);
     }
 }
 
-/* The velocity at a contact by six numbers a body. */
-static void velocity(const double (*way)[SIX], const struct hard_row *row, double u[3]) {
-    const double *a = way[row->body[0]], *b = way[row->body[1]];
-    double turn[3], rolled[3];
-    for (int d = 0; d < 3; d++)
-        turn[d] = row->lever[0] * a[3 + d] + row->lever[1] * b[3 + d];
-    vector_cross(turn, row->normal, rolled);
-    for (int d = 0; d < 3; d++)
-        u[d] = b[d] - a[d] - rolled[d];
+/* The root of the inverse inertia of a body. */
+static const double *root_of(const struct hard_newton *newton, size_t k) {
+    return hard_root_at((const double(*)[HARD_ROOT])newton->root, k);
 }
 
 static void sum_pulls(void *context, size_t row, size_t end) {
@@ -91,7 +85,7 @@ static void sum_pulls(void *context, size_t row, size_t end) {
         double impulse[3];
         for (int d = 0; d < 3; d++)
             impulse[d] = contact->p * contact->normal[d] + contact->q[d];
-        scatter(newton->sum, contact, impulse);
+        hard_scatter(newton->sum, contact, impulse);
     }
 }
 
@@ -100,21 +94,20 @@ static void sum_answers(void *context, size_t row, size_t end) {
     for (size_t r = row; r < end; r++) {
         const struct hard_row *contact = &newton->problem->row[r];
         double du[3], impulse[3];
-        velocity((const double(*)[SIX])newton->way, contact, du);
+        hard_gather((const double(*)[SIX])newton->way, contact, du);
         hard_newton_answer(contact, &newton->row[r], du, impulse);
-        scatter(newton->sum, contact, impulse);
+        hard_scatter(newton->sum, contact, impulse);
     }
 }
 
-/* The sum over rows of what `visit` scatters, times S, for owned bodies. */
+/* The sum over rows of what `visit` scatters, times St, for owned bodies. */
 static void pulls(struct hard_newton *newton, void (*visit)(void *, size_t, size_t), double (*out)[SIX]) {
     memset(newton->sum, 0, newton->problem->bodies * sizeof *newton->sum);
     hard_problem_visit(newton->problem, visit, newton);
     hard_border_collect(newton->border, newton->sum);
 #pragma omp parallel for schedule(static)
     for (size_t k = 0; k < newton->bodies; k++)
-        for (int d = 0; d < SIX; d++)
-            out[k][d] = root_of(&newton->problem->body[k], d) * newton->sum[k][d];
+        hard_root_back(&newton->problem->body[k], root_of(newton, k), newton->sum[k], out[k]);
 }
 
 /* S x as velocities of all bodies. */
@@ -123,8 +116,7 @@ static void spread(struct hard_newton *newton, const double (*x)[SIX]) {
     memset(newton->way[own], 0, (newton->problem->bodies - own) * sizeof *newton->way);
 #pragma omp parallel for schedule(static)
     for (size_t k = 0; k < own; k++)
-        for (int d = 0; d < SIX; d++)
-            newton->way[k][d] = root_of(&newton->problem->body[k], d) * x[k][d];
+        hard_root_times(&newton->problem->body[k], root_of(newton, k), x[k], newton->way[k]);
     hard_border_spread(newton->border, newton->way);
 }
 
@@ -196,7 +188,7 @@ static void plan_all(void *context, size_t row, size_t end) {
 static void sum_leads(void *context, size_t row, size_t end) {
     const struct hard_newton *newton = context;
     for (size_t r = row; r < end; r++)
-        scatter(newton->sum, &newton->problem->row[r], newton->row[r].lead);
+        hard_scatter(newton->sum, &newton->problem->row[r], newton->row[r].lead);
 }
 
 /* The impulses after the step. */
@@ -205,7 +197,7 @@ static void go_all(void *context, size_t row, size_t end) {
     for (size_t r = row; r < end; r++) {
         struct hard_row *contact = &newton->problem->row[r];
         double du[3], back[3];
-        velocity((const double(*)[SIX])newton->way, contact, du);
+        hard_gather((const double(*)[SIX])newton->way, contact, du);
         hard_newton_answer(contact, &newton->row[r], du, back);
         for (int d = 0; d < 3; d++)
             contact->q[d] = newton->row[r].lead[d] - back[d];
@@ -218,11 +210,14 @@ static void go_all(void *context, size_t row, size_t end) {
 /* The velocities of all bodies by V* + S x. */
 static void bodies_set(struct hard_newton *newton, const double (*x)[SIX]) {
     struct hard_body *body = newton->problem->body;
-    for (size_t k = 0; k < newton->bodies; k++)
+    for (size_t k = 0; k < newton->bodies; k++) {
+        double way[SIX];
+        hard_root_times(&body[k], root_of(newton, k), x[k], way);
         for (int d = 0; d < 3; d++) {
-            body[k].v[d] = newton->free[k].v[d] + root_of(&body[k], d) * x[k][d];
-            body[k].w[d] = newton->free[k].w[d] + root_of(&body[k], 3 + d) * x[k][3 + d];
+            body[k].v[d] = newton->free[k].v[d] + way[d];
+            body[k].w[d] = newton->free[k].w[d] + way[3 + d];
         }
+    }
     hard_border_send(newton->border, newton->problem);
 }
 
@@ -239,12 +234,8 @@ static double settle(struct hard_newton *newton) {
 
 /* Sweeps of Gauss and Seidel. */
 static void smooth(struct hard_newton *newton, int sweeps) {
-    hard_border_split(newton->border, newton->problem, true);
-    for (int k = 0; k < sweeps; k++) {
-        hard_problem_sweep(newton->problem);
-        hard_border_join(newton->border, newton->problem, true);
-    }
-    hard_border_split(newton->border, newton->problem, false);
+    for (int k = 0; k < sweeps; k++)
+        hard_border_turns(newton->border, newton->problem, hard_problem_sweep);
 }
 
 /* A step of the method; returns the iterations of its linear solver. */
@@ -254,6 +245,7 @@ static int step(struct hard_newton *newton) {
     for (size_t k = 0; k < newton->bodies; k++)
         for (int d = 0; d < SIX; d++)
             newton->right[k][d] -= newton->y[k][d];
+    newton->blocks.root = (const double(*)[HARD_ROOT])newton->root;
     hard_blocks_make(&newton->blocks, newton->problem, newton->row, newton->border);
     solve_solve(newton->system, (double *)newton->right, (double *)newton->step, false);
     spread(newton, (const double(*)[SIX])newton->step);
@@ -263,6 +255,7 @@ static int step(struct hard_newton *newton) {
 
 static void begin(struct hard_newton *newton) {
     rooms_make(newton);
+    roots_make(newton);
     system_make(newton);
     solve_tolerance(newton->system, linear);
     hard_blocks_shape(&newton->blocks, newton->problem, newton->bodies);

@@ -1,11 +1,11 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* Newton's method for the contact problem of a step, with a Krylov method for its linear systems.
  *
- * The unknowns are y, six a body: V = V* + S y, V* the velocities without contacts, S the roots of 1/mass and 1/moment of inertia. The
- * solution is y = S Jt p with impulses p that are on the functions of their rows (newton_row.h). A step takes each function by its
+ * The unknowns are y, six a body: V = V* + S y, V* the velocities without contacts, S the roots of 1/mass and inverse
+ * inertia (newton_body.h). The solution is y = St Jt p with impulses p that are on the functions of their rows (newton_row.h). A step takes each function by its
  * derivative at the point where a visit of the row by Gauss and Seidel would leave it: p = p0 - G (J V - u0), whence
  *
- *   (1 + S Jt G J S) dy = S Jt (p0 - G (u - u0)) - y.
+ *   (1 + St Jt G J S) dy = St Jt (p0 - G (u - u0)) - y.
  *
  * As that point tells which contacts push and slip, the method is one of active sets (of the kind of Alart and Curnier 1991):
  * derivatives at the present velocities, in which an error of a stiff row is large, need ten times as many steps. The matrix is not
@@ -18,13 +18,15 @@
 #ifndef SCREE_HARD_NEWTON_H
 #define SCREE_HARD_NEWTON_H
 
+#include "physics/hard/clumps.h"
 #include "physics/hard/newton_blocks.h"
 #include "physics/solve/solve.h"
 
 struct hard_newton {
-    const struct comm *comm; /* borrowed, as the next three */
+    const struct comm *comm; /* borrowed, as the next four */
     struct hard_problem *problem;
     struct hard_border *border;
+    const struct hard_clumps *clumps;
     struct solve *solve;         /* NULL: nothing solved yet */
     struct solve_system *system; /* of `bodies` bodies; NULL: none yet */
     size_t bodies;               /* owned */
@@ -34,7 +36,8 @@ struct hard_newton {
     double (*y)[6];         /* of owned bodies: the unknowns */
     double (*right)[6], (*step)[6];
     double (*way)[6], (*sum)[6]; /* of all bodies: velocities, and sums of impulses */
-    size_t row_room, free_room, own_room[3], all_room[2];
+    double (*root)[HARD_ROOT];   /* of all bodies (newton_body.h); NULL: all are spheres */
+    size_t row_room, free_room, own_room[3], all_room[3];
 };
 
 struct hard_newton_limits {

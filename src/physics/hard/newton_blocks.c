@@ -91,16 +91,24 @@ void hard_blocks_shape(struct hard_blocks *blocks, const struct hard_problem *pr
         hard_problem_grow(blocks->diagonal, &blocks->body_room, problem->bodies, sizeof *blocks->diagonal);
 }
 
-/* The velocity at a contact by a body's velocity and spin: `sign` 1 and the matrix `arm`, each with its root of lightness. */
+/* The velocity at a contact by a body's velocity and spin: `sign` 1 and the matrix `arm`, each times the body's root. */
 struct arm {
     double sign, arm[3][3];
 };
 
-static struct arm arm_of(const struct hard_row *row, int e, const struct hard_body *body) {
-    const double *n = row->normal, f = row->lever[e] * sqrt(body->swing);
-    return (struct arm){
-        .sign = (e ? 1.0 : -1.0) * sqrt(body->lightness),
-        .arm = {{0.0, -f * n[2], f * n[1]}, {f * n[2], 0.0, -f * n[0]}, {-f * n[1], f * n[0], 0.0}}};
+static struct arm arm_of(const struct hard_row *row, int e, const struct hard_body *body,
+                         const double root[HARD_ROOT]) {
+    struct arm arm = {.sign = (e ? 1.0 : -1.0) * sqrt(body->lightness)};
+    double lever[3], way[6], u[3];
+    hard_lever(row, e, lever);
+    for (int k = 0; k < 3; k++) {
+        const double x[6] = {0.0, 0.0, 0.0, k == 0, k == 1, k == 2};
+        hard_root_times(body, root, x, way);
+        vector_cross(way + 3, lever, u);
+        for (int d = 0; d < 3; d++)
+            arm.arm[d][k] = e ? u[d] : -u[d];
+    }
+    return arm;
 }
 
 static void derivative_of(const struct hard_row *row, const struct hard_newton_row *newton, double g[3][3]) {
@@ -150,7 +158,7 @@ static void fill(void *context, size_t row, size_t end) {
             continue;
         derivative_of(contact, &f->newton[r], g);
         for (int e = 0; e < 2; e++)
-            arm[e] = arm_of(contact, e, &f->problem->body[body[e]]);
+            arm[e] = arm_of(contact, e, &f->problem->body[body[e]], hard_root_at(f->blocks->root, body[e]));
         for (int e = 0; e < 2; e++)
             add(f->blocks->diagonal[body[e]], g, &arm[e], &arm[e]);
         int late = body[0] > body[1] ? 0 : 1;

@@ -2,7 +2,7 @@
 /* A row of a contact problem as Newton's method sees it: impulses as a function of the velocity at the contact, and
  * minus the derivative of that function. Geometry and mechanics alone: no lists, no threads, no ranks.
  *
- * With y = hold - u_t / soft_t, t its direction, and p the normal impulse:
+ * With y = hold - u_t / soft_t, t its direction, and p the normal impulse (and `press` of a cohesion, in the limit):
  *
  *   stick  |y| <= friction p   q = y               derivative (1 - n n) / soft_t
  *   slide                      q = friction p t    derivative (1 - n n - t t) friction p / (soft_t |y|) + friction t dp/du
@@ -64,7 +64,7 @@ static inline void hard_newton_at(const struct hard_row *row, struct hard_newton
     const double *hold;
     double soft = hard_newton_spring(row, slide, &hold), along = vector_dot(u, row->normal), square = 0.0;
     *p = hard_newton_push(row, dt, along, &newton->push);
-    double bound = row->friction * *p;
+    double bound = row->friction * (*p + row->press);
     newton->grip = newton->slip = newton->couple = 0.0;
     for (int d = 0; d < 3; d++) {
         newton->along[d] = q[d] = 0.0;
@@ -97,11 +97,27 @@ static inline void hard_newton_answer(const struct hard_row *row, const struct h
         out[d] = n * row->normal[d] + newton->grip * du[d] - t * newton->along[d];
 }
 
+/* How the velocity at a contact changes by the impulse p n + q. */
+static inline void hard_change_of(const struct hard_row *row, const struct hard_body *a,
+                                  const struct hard_body *b, double p, const double q[3], double change[3]) {
+    double impulse[3], push, slide;
+    for (int d = 0; d < 3; d++)
+        impulse[d] = p * row->normal[d] + q[d];
+    if (row->arm) {
+        hard_arm_change(row->arm, a, b, impulse, change);
+        return;
+    }
+    push = hard_push(row, a, b);
+    slide = hard_slide(row, a, b);
+    for (int d = 0; d < 3; d++)
+        change[d] = push * p * row->normal[d] + slide * q[d];
+}
+
 /* Takes the derivative where a visit of the row would leave it. A stiff row whose impulse is a little wrong is far from its function;
  * the impulse and the velocity that a visit would give are on it. */
 static inline void hard_newton_plan(struct hard_row *row, struct hard_newton_row *newton, double dt,
                                     const struct hard_body *a, const struct hard_body *b) {
-    double u[3], p, q[3], change[3], back[3], push = hard_push(row, a, b), slide = hard_slide(row, a, b);
+    double u[3], p, q[3], more[3], change[3], back[3], slide = hard_slide(row, a, b);
     struct hard_answer answer;
     hard_velocity(row, a, b, u);
     hard_wish(row, dt, a, b, &answer);
@@ -109,9 +125,11 @@ static inline void hard_newton_plan(struct hard_row *row, struct hard_newton_row
     next.p = answer.p;
     for (int d = 0; d < 3; d++) {
         next.q[d] = answer.q[d];
-        change[d] = push * (answer.p - row->p) * row->normal[d] + slide * (answer.q[d] - row->q[d]);
-        u[d] += change[d];
+        more[d] = answer.q[d] - row->q[d];
     }
+    hard_change_of(row, a, b, answer.p - row->p, more, change);
+    for (int d = 0; d < 3; d++)
+        u[d] += change[d];
     hard_newton_at(&next, newton, dt, slide, u, &p, q);
     hard_newton_answer(row, newton, change, back);
     for (int d = 0; d < 3; d++)

@@ -9,6 +9,7 @@ enum { ROWS_ALONE = 1500 };
 void hard_problem_free(struct hard_problem *problem) {
     memory_free(problem->body);
     memory_free(problem->row);
+    memory_free(problem->turn);
     memory_free(problem->colour);
     memory_free(problem->cut);
     *problem = (struct hard_problem){0};
@@ -54,6 +55,17 @@ void hard_problem_visit(const struct hard_problem *problem,
     }
 }
 
+static void pull(void *context, size_t row, size_t end) {
+    static const double none[3] = {0.0, 0.0, 0.0};
+    struct hard_problem *problem = context;
+    for (struct hard_row *r = &problem->row[row]; r < &problem->row[end]; r++)
+        hard_apply(r, &problem->body[r->body[0]], &problem->body[r->body[1]], -r->pull, none);
+}
+
+void hard_problem_pull(struct hard_problem *problem) {
+    hard_problem_visit(problem, pull, problem);
+}
+
 static void warm(void *context, size_t row, size_t end) {
     struct hard_problem *problem = context;
     for (struct hard_row *r = &problem->row[row]; r < &problem->row[end]; r++) {
@@ -77,10 +89,6 @@ static void sweep(void *context, size_t row, size_t end) {
         hard_visit(r, problem->dt, &problem->body[r->body[0]], &problem->body[r->body[1]]);
 }
 
-void hard_problem_sweep(struct hard_problem *problem) {
-    hard_problem_visit(problem, sweep, problem);
-}
-
 static void rebound(void *context, size_t row, size_t end) {
     struct hard_problem *problem = context;
     for (struct hard_row *r = &problem->row[row]; r < &problem->row[end]; r++)
@@ -88,12 +96,44 @@ static void rebound(void *context, size_t row, size_t end) {
             hard_rebound(r, &problem->body[r->body[0]], &problem->body[r->body[1]]);
 }
 
-bool hard_problem_rebound(struct hard_problem *problem) {
+/* Visits of the rows of a turn, by runs of them. */
+struct visit {
+    struct hard_problem *problem;
+    enum hard_turn turn;
+    void (*run)(void *context, size_t row, size_t end);
+};
+
+static void visit_turn(void *context, size_t row, size_t end) {
+    const struct visit *visit = context;
+    const uint8_t *turn = visit->problem->turn;
+    for (size_t r = row, next; r < end; r = next) {
+        for (next = r + 1; next < end && turn[next] == turn[r];)
+            next++;
+        if (turn[r] == (uint8_t)visit->turn)
+            visit->run(visit->problem, r, next);
+    }
+}
+
+static void visit_rows(struct hard_problem *problem, enum hard_turn turn,
+                       void (*run)(void *context, size_t row, size_t end)) {
+    if (turn == HARD_TURN_ALL)
+        hard_problem_visit(problem, run, problem);
+    else
+        hard_problem_visit(problem, visit_turn, &(struct visit){problem, turn, run});
+}
+
+void hard_problem_sweep(struct hard_problem *problem, enum hard_turn turn) {
+    visit_rows(problem, turn, sweep);
+}
+
+void hard_problem_rebound(struct hard_problem *problem, enum hard_turn turn) {
+    visit_rows(problem, turn, rebound);
+}
+
+bool hard_problem_rebounds(const struct hard_problem *problem) {
     bool any = false;
     for (size_t r = 0; r < problem->rows && !any; r++)
         any = hard_rebounds(&problem->row[r]);
-    if (any)
-        hard_problem_visit(problem, rebound, problem);
     return any;
 }
 

@@ -17,6 +17,10 @@
  * No operation prefers one of the bodies: with these exchanged and the normal turned round all results are the same to
  * the last bit.
  *
+ * Cohesion pulls the surfaces together by an impulse `pull`, which is given: it acts on the bodies before the first visit
+ * (hard_problem_pull), so that p stays the impulse of the spring alone, and the contact opens where p is 0. Limits of
+ * friction are multiples of p + press.
+ *
  * A row with `hertz` > 0 has the elastic force hertz y^(3/2) of the overlap y at the end of the step, and a dashpot;
  * its equation is solved exactly in each visit. */
 #ifndef SCREE_HARD_ROW_H
@@ -47,6 +51,8 @@ struct hard_row {
     double approach; /* speed of approach at the start of the step, free of this step's impulses */
     double restitution;
     double least; /* normal impulse of an impact at least, by Poisson's restitution */
+    double pull;  /* impulse of a cohesion, against p */
+    double press; /* impulse that limits of friction count beside p */
     bool
         impact; /* a new contact that approaches so fast that it rebounds; the next step begins without its impulses */
     double p, q[3];
@@ -135,11 +141,19 @@ static inline void hard_apply(const struct hard_row *row, struct hard_body *a, s
     }
 }
 
+/* What the bodies take along the normal, and whether they take anything at all. */
+static inline double hard_net(const struct hard_row *row) {
+    return row->p - row->pull;
+}
+static inline bool hard_acts(const struct hard_row *row) {
+    return row->p > 0.0 || row->pull > 0.0;
+}
+
 /* The impulse on end e of a row, and its moment about the centre of the body. */
 static inline void hard_impulse(const struct hard_row *row, int e, double impulse[6]) {
     double sign = e ? 1.0 : -1.0, turn[3];
     for (int d = 0; d < 3; d++)
-        impulse[d] = sign * (row->p * row->normal[d] + row->q[d]);
+        impulse[d] = sign * (hard_net(row) * row->normal[d] + row->q[d]);
     if (row->arm) {
         vector_cross(row->arm->lever[e], impulse, impulse + 3);
     } else {
@@ -218,7 +232,7 @@ static inline void hard_wish(struct hard_row *row, double dt, const struct hard_
         hard_resist_wish(row, a, b, &soft, answer);
         return;
     }
-    double limit = row->friction * answer->p;
+    double limit = row->friction * (answer->p + row->press);
     if (!(limit > 0.0))
         return;
     double slide = hard_slide(row, a, b), square = 0.0;
@@ -264,7 +278,12 @@ static inline void hard_visit(struct hard_row *row, double dt, struct hard_body 
     hard_change(row, a, b, &answer);
 }
 
-/* Energy in the springs of a row, which act over `duration`: normal, tangential. */
+/* The overlap at the end of the step of a row that is on its spring. */
+static inline double hard_overlap(const struct hard_row *row, double dt) {
+    return row->hertz > 0.0 ? row->deep : dt * (row->soft_n * row->p + row->bias) - row->gap;
+}
+
+/* Energy in the springs of a row, which act over `duration`, and of its cohesion: normal, tangential. */
 static inline void hard_stored(const struct hard_row *row, double dt, double duration, double stored[2]) {
     double share = 0.5 * dt / duration, soft_t = row->soft_t;
     if (row->hertz > 0.0) {
@@ -272,10 +291,15 @@ static inline void hard_stored(const struct hard_row *row, double dt, double dur
         stored[0] = 0.4 * row->hertz / duration * row->deep * row->deep * root;
         soft_t = hard_shear_soft(row);
     } else if (row->damper > 0.0) { /* of the spring alone, by its overlap at the end of the step */
-        double overlap = fmax(0.0, dt * (row->soft_n * row->p + row->bias) - row->gap);
+        double overlap = fmax(0.0, hard_overlap(row, dt));
         stored[0] = 0.5 * (1.0 / row->soft_n - row->damper) / (dt * duration) * overlap * overlap;
     } else {
         stored[0] = share * row->soft_n * row->p * row->p;
+    }
+    if (row->pull >
+        0.0) { /* from touch, in the middle of the step: velocities and work are those of the mean, too */
+        double end = row->p > 0.0 ? fmax(0.0, hard_overlap(row, dt)) : 0.0;
+        stored[0] -= row->pull / duration * 0.5 * (fmax(0.0, -row->gap) + end);
     }
     stored[1] = share * soft_t * vector_dot(row->q, row->q);
     if (row->resist) {
@@ -315,7 +339,8 @@ static inline void hard_rebound(struct hard_row *row, struct hard_body *a, struc
         q[d] = row->friction > 0.0 ? row->q[d] - (u[d] - u_n * row->normal[d]) / slide : 0.0;
         square += q[d] * q[d];
     }
-    double limit = row->friction * p, keep = square > limit * limit ? limit / sqrt(square) : 1.0;
+    double limit = row->friction * (p + row->press),
+           keep = square > limit * limit ? limit / sqrt(square) : 1.0;
     for (int d = 0; d < 3; d++)
         q[d] *= keep;
     hard_change(row, a, b, &answer);

@@ -71,7 +71,7 @@ static int chain_sweeps(uint32_t n, double part) {
     double worst = 1.0;
     chain_make(&problem, n, INFINITY, 1.0);
     for (; worst > part; sweeps++) {
-        hard_problem_sweep(&problem);
+        hard_problem_sweep(&problem, HARD_TURN_ALL);
         worst = 0.0;
         for (uint32_t k = 0; k < n; k++) {
             double weight = (k + 1) * gravity * step;
@@ -85,7 +85,7 @@ static int chain_sweeps(uint32_t n, double part) {
 static int sweeps_until(struct hard_problem *problem, double tolerance) {
     int sweeps = 0;
     do {
-        hard_problem_sweep(problem);
+        hard_problem_sweep(problem, HARD_TURN_ALL);
         sweeps++;
     } while (residual(problem) > tolerance && sweeps < 100000);
     return sweeps;
@@ -137,7 +137,7 @@ static void test_heavy(void **state) {
         int sweeps = 0;
         chain_make(&problem, 2, INFINITY, top);
         while (fabs(problem.row[0].p / (top * gravity * step) - 1.0) > 0.01) {
-            hard_problem_sweep(&problem);
+            hard_problem_sweep(&problem, HARD_TURN_ALL);
             sweeps++;
         }
         assert_true(fabs(sweeps - 4.6 * top) < 0.15 * 4.6 * top + 3);
@@ -155,7 +155,7 @@ static void test_single(void **state) {
         struct hard_problem problem;
         single_make(&problem, 2.0, (double[3]){0.7, 0, -0.5});
         problem.row[0].friction = slides ? 0.1 : 10.0;
-        hard_problem_sweep(&problem);
+        hard_problem_sweep(&problem, HARD_TURN_ALL);
         const struct hard_body *b = &problem.body[1];
         assert_true(fabs(problem.row[0].p - 2.0 * 0.5) < 1e-15);
         assert_true(fabs(b->v[2]) < 1e-16);
@@ -174,11 +174,11 @@ static void test_gap(void **state) {
     single_make(&problem, 1.0, (double[3]){0, 0, -0.5});
     problem.row[0].gap = 0.3 * step;
     problem.row[0].bias = 0.3;
-    hard_problem_sweep(&problem);
+    hard_problem_sweep(&problem, HARD_TURN_ALL);
     assert_true(fabs(problem.body[1].v[2] + 0.3) < 1e-15);
     problem.row[0].bias = -5.0;
     problem.row[0].release = 0.01;
-    hard_problem_sweep(&problem);
+    hard_problem_sweep(&problem, HARD_TURN_ALL);
     /* and a hundredth of what is above */
     assert_true(fabs(problem.body[1].v[2] - (0.01 + HARD_RELEASE_PART * (-problem.row[0].bias - 0.01))) <
                 1e-15);
@@ -206,7 +206,7 @@ static void test_repair(void **state) {
             row->friction = friction;
         }
         for (int sweep = 0; sweep < 2000; sweep++)
-            hard_problem_sweep(&problem);
+            hard_problem_sweep(&problem, HARD_TURN_ALL);
         const struct hard_row *floor = &problem.row[0], *lid = &problem.row[1];
         assert_true(residual(&problem) < 1e-12);
         assert_true(floor->p > 1e-3 && lid->p > 1e-3);
@@ -229,7 +229,7 @@ static void test_hertz(void **state) {
     single_make(&problem, 1.0, (double[3]){0, 0, -0.5});
     problem.row[0].hertz = 1e7 * step;
     problem.row[0].gap = -1e-5;
-    hard_problem_sweep(&problem);
+    hard_problem_sweep(&problem, HARD_TURN_ALL);
     double overlap = 1e-5 - step * problem.body[1].v[2];
     assert_true(overlap > 0.0);
     assert_true(fabs(problem.row[0].p / (step * 1e7 * overlap * sqrt(overlap)) - 1.0) < 1e-12);
@@ -248,7 +248,7 @@ static void test_damper(void **state) {
     row->soft_n = 1.0 / (step * (k * step + c));
     row->damper = step * c;
     row->bias = row->gap / (step + c / k);
-    hard_problem_sweep(&problem);
+    hard_problem_sweep(&problem, HARD_TURN_ALL);
     double u = problem.body[1].v[2], overlap = -row->gap - step * u, stored[2];
     hard_stored(row, step, step, stored);
     assert_true(overlap > 0.0 && row->p > 0.0);
@@ -288,9 +288,9 @@ static void test_impacts(void **state) {
         row->approach = -u[2];
         momentum[0] = problem.body[0].v[0] / problem.body[0].lightness +
                       problem.body[1].v[0] / problem.body[1].lightness;
-        hard_problem_sweep(&problem);
+        hard_problem_sweep(&problem, HARD_TURN_ALL);
         for (int sweep = 0; sweep < 8; sweep++)
-            hard_problem_rebound(&problem);
+            hard_problem_rebound(&problem, HARD_TURN_ALL);
         hard_velocity(row, &problem.body[0], &problem.body[1], u);
         momentum[1] = problem.body[0].v[0] / problem.body[0].lightness +
                       problem.body[1].v[0] / problem.body[1].lightness;

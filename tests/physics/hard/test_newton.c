@@ -51,8 +51,10 @@ static void test_derivative(void **state) {
     const double sticks[3] = {0.02, 0.01, -0.03}, slides[3] = {0.4, 0.3, -0.5}, opens[3] = {0.4, 0.1, 0.6},
                  leaves[3] = {0.12, 0.0, 0.1601};
     const double *u[] = {sticks, slides, opens, leaves};
-    for (int k = 0; k < 4; k++)
-        derivative_holds(&row, u[k]);
+    for (int k = 0; k < 8; k++) {
+        row.press = k < 4 ? 0.0 : 0.1; /* with a cohesion */
+        derivative_holds(&row, u[k % 4]);
+    }
     row.hertz = 40.0;
     row.damper = 0.05;
     row.gap = -1e-2;
@@ -82,6 +84,8 @@ static void test_solution(void **state) {
     struct hard_row row = row_make();
     agrees(row, 1.0);
     agrees(row, 1e3);
+    row.press = 0.3;
+    agrees(row, 1.0);
     row.bias = -50.0; /* the speed of release is met */
     agrees(row, 1.0);
     row.soft_t = 0.0;

@@ -200,7 +200,7 @@ static void test_residual(void **state) {
     struct hard_row *row = &problem.row[0];
     struct hard_body *body = &problem.body[1];
     body->v[0] = body->w[1] = 1.0;
-    hard_problem_sweep(&problem);
+    hard_problem_sweep(&problem, HARD_TURN_ALL);
     hard_problem_residual(&problem, sum);
     assert_true(sum[0] < 1e-24 * sum[1]);
     hard_couple_change(row, &problem.body[0], body, &(struct hard_couple){{0}, 0.0});
@@ -214,9 +214,9 @@ static void test_residual(void **state) {
     row->approach = 2.0;
     row->restitution = 0.5;
     before = 2.0 * 0.5 * vector_dot(body->v, body->v) + 0.5 * vector_dot(body->w, body->w) / body->swing;
-    hard_problem_sweep(&problem);
+    hard_problem_sweep(&problem, HARD_TURN_ALL);
     for (int k = 0; k < 8; k++)
-        hard_problem_rebound(&problem);
+        hard_problem_rebound(&problem, HARD_TURN_ALL);
     after = 2.0 * 0.5 * vector_dot(body->v, body->v) + 0.5 * vector_dot(body->w, body->w) / body->swing;
     assert_near(body->v[2], 1.0, 1e-15);
     assert_near(row->p, 6.0, 1e-14);

@@ -48,7 +48,10 @@ struct law_pull {
 struct law_cohesion_form {
     bool remembers; /* surfaces need to have touched to attract each other across a gap */
     bool fixed;     /* friction's limit counts the force at rest, not the damper */
-    double press;   /* friction's limit counts the pull so many times beside the force */
+    bool
+        constant; /* the pull of surfaces that touch grows as the effective radius, and is the same at any overlap: a
+                       solver of contacts (contact.solver) takes it */
+    double press; /* friction's limit counts the pull so many times beside the force */
     /* The errors of impacts, as those of law_form.h; 0: the cohesion is not studied. */
     double step_error[LAW_STEPS_STUDIED];
 };

@@ -47,7 +47,7 @@
 
 /* Cohesions that pull beside a law's springs: KIND_NAME_pull. */
 #define LAW_PULL_TABLE(ROW)                                                                                  \
-    ROW(DMT, dmt, "moduli",                                                                                  \
+    ROW(DMT, dmt, "moduli stiff",                                                                            \
         "fine, hard powders: the elastic force less a constant pull while the spheres touch")                \
     ROW(SJKR, sjkr, "stiffness moduli",                                                                      \
         "cohesive bulk solids with a calibrated number: area of the overlap times an energy density")        \

@@ -46,6 +46,9 @@ static inline double cohesion_dmt_energy(const struct cohesion_dmt *p, const str
 }
 
 static const struct law_cohesion_form cohesion_dmt_form = {
-    .fixed = true, .press = 2.0, .step_error = {0.0029, 0.0063, 0.01, 0.023, 0.044, 0.065, 0.096}};
+    .fixed = true,
+    .constant = true,
+    .press = 2.0,
+    .step_error = {0.0029, 0.0063, 0.01, 0.023, 0.044, 0.065, 0.096}};
 
 #endif
