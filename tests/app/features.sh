@@ -62,6 +62,8 @@ material_pairs[0].bridge_fraction=0.02'
     [moving-plane]='walls[floor].motion=[{kind: oscillate, direction: [1, 0.3], amplitude: 0.2, frequency: 2}]'
     [servo]='walls[lid].motion=[{kind: servo, direction: [0, 0, 1], force: 50, speed_max: 2}]'
     [servo-plane]='walls[lid].motion=[{kind: servo, direction: [0, 1], force: 50, speed_max: 2}]'
+    [free]='walls[2]={name: block, shape: box, lower: [2, 3, 6], upper: [3.5, 4, 6.6], material: a, free: {density: 1, angular_velocity: [0, 1, 0]}}'
+    [free-plane]='walls[2]={name: block, shape: box, lower: [2, 6, -1], upper: [4, 7, 1], material: a, free: {mass: 2, angular_velocity: [0, 0, 1]}}'
     [closed]='walls=~
 box.periodic=true
 gravity=[0, 0, 0]'
@@ -125,10 +127,10 @@ everywhere() {
 together() { # SCENE FEATURE...: on a line of its own
     check "$*" everywhere "$@"
 }
-together space hertz rolling clumps heat hot drag mesh moving grids files vtk packed
-together space bonds clumps heat hot stokes density mesh servo insertion stages grids packed
-together space jkr clumps stokes density moving servo insertion groups files auto
-together space capillary bonds heat drag mesh moving deletion groups grids verlet files vtk packed
+together space hertz rolling clumps heat hot drag mesh moving grids files vtk packed free
+together space bonds clumps heat hot stokes density mesh servo insertion stages grids packed free
+together space jkr clumps stokes density moving servo insertion groups files auto free
+together space capillary bonds heat drag mesh moving deletion groups grids verlet files vtk packed free
 together space thornton clumps heat hot density servo mesh groups stages
 together space eepa bonds clumps drag density mesh moving insertion deletion auto
 together space luding rolling bonds heat density groups leave insertion
@@ -141,8 +143,8 @@ together space luding clumps heat stokes density grids files closed stressed aut
 together space jkr clumps heat drag grids closed strained deletion stages packed
 together space capillary clumps drag density files long closed sheared strained
 together space rolling heat closed deletion stages verlet stressed # gravity comes in a stage
-together plane clumps heat hot stokes density moving grids files vtk packed
-together plane hertz bonds heat stokes servo insertion deletion groups stages
+together plane clumps heat hot stokes density moving grids files vtk packed free
+together plane hertz bonds heat stokes servo insertion deletion groups stages free
 together plane hertz clumps more-clumps deletion leave heat stokes grids
 together plane jkr rolling clumps mesh insertion moving stages auto
 together plane luding clumps heat stokes density closed sheared grids

@@ -3,6 +3,7 @@
 #include "front/program/commands.h"
 #include "front/program/check_parts.h"
 #include "base/lines.h"
+#include "physics/grains/walls/walls_free.h"
 #include "physics/grains/grains.h"
 #include "engine/skin_auto.h"
 #include "engine/tune.h"
@@ -210,12 +211,12 @@ static void print_extent(const char *what, const char *name, const struct extent
 }
 
 /* Writes what is to be said of wall w besides its extent. */
-static const char *wall_note(const struct wall_options *wall, const struct scene *scene,
+static const char *wall_note(const struct walls *walls, int w, const struct scene *scene,
                              const struct extent *extent, char text[128]) {
-    snprintf(text, 128, "%s",
-             wall_shape_meshed(wall->shape) && grains_wall_apart(scene, extent)
-                 ? "  NOTE: wholly outside of the box"
-                 : "");
+    const struct wall_options *wall = walls_options(walls, w);
+    walls_describe(walls, w, text, 128);
+    if (wall_shape_meshed(wall->shape) && grains_wall_apart(scene, extent))
+        snprintf(text, 128, "  NOTE: wholly outside of the box");
     for (int m = 0; m < wall->motions; m++)
         if (wall->motion[m].kind == WALL_SERVO && wall->motion[m].pressure > 0)
             snprintf(text, 128, "  pressure %.4g x area %.4g = force %.4g", wall->motion[m].pressure,
@@ -244,7 +245,7 @@ static void print_extents(const struct scene *scene, const struct grains *grains
         const struct wall_options *wall = &scene->wall[w];
         struct extent extent = grains_wall_extent(grains, scene, w);
         print_extent(shapes[wall->shape], wall->name, &extent,
-                     wall_note(walls_options(grains->walls, w), scene, &extent, note));
+                     wall_note(grains->walls, w, scene, &extent, note));
     }
 }
 

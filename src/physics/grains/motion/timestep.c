@@ -128,6 +128,11 @@ static void timestep_surround(const struct timestep_input *input, struct timeste
            square = a->radius * a->radius;
     if (a->inverse_mass == 0.0)
         return;
+    if (a->kind->wall) { /* one contact at a time: what touches a wall is not known before (stability.h) */
+        a->stiffness = fmax(a->stiffness, a->inverse_mass * fmax(s->k_n, s->k_t));
+        a->damping = fmax(a->damping, a->inverse_mass * fmax(s->c_n, s->c_t));
+        return;
+    }
     const double ease = a->kind->body.ease, *seat = a->kind->body.seat;
     double stiffness =
         timestep_local(input->dimension, n, s->k_n, s->k_t, s->k_r * share * share + s->k_w / square);
@@ -155,8 +160,11 @@ static int timestep_sides(const struct timestep_input *input, struct timestep_si
         const double radius[2] = {kind->radius_min, kind->radius_max};
         int ends = kind->wall || !(kind->radius_max > kind->radius_min) ? 1 : 2;
         for (int e = 0; e < ends; e++) {
-            struct timestep_side s = {
-                .kind = kind, .radius = INFINITY, .curved = INFINITY, .stable = INFINITY};
+            struct timestep_side s = {.kind = kind,
+                                      .radius = INFINITY,
+                                      .curved = INFINITY,
+                                      .inverse_mass = kind->wall ? kind->yield : 0.0,
+                                      .stable = INFINITY};
             double relative = radius[e] / kind->radius_min;
             if (!kind->wall) {
                 s.radius = radius[e];
@@ -191,7 +199,7 @@ static double timestep_rayleigh(const struct law_material *m, double radius, dou
 }
 
 static bool timestep_meets(const struct timestep_side *a, const struct timestep_side *b) {
-    return a->inverse_mass + b->inverse_mass > 0.0;
+    return a->inverse_mass + b->inverse_mass > 0.0 && !(a->kind->wall && b->kind->wall);
 }
 
 void timestep_limits(struct timestep_limits *limits, const struct timestep_input *input) {

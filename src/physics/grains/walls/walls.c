@@ -86,7 +86,8 @@ static void wall_find_reach(struct wall *wall) {
 }
 
 static void wall_place(struct wall *wall, double t) {
-    struct wall_transform motion = wall_motions_place(wall->motions, t, wall->servo_offset);
+    struct wall_transform motion =
+        wall->free ? wall_free_place(wall->free) : wall_motions_place(wall->motions, t, wall->servo_offset);
     wall->pose = wall_transform_compose(&motion, &wall->base);
     walls_follow(wall);
 }
@@ -102,6 +103,15 @@ static bool wall_create(struct wall *wall, const struct wall_options *options, c
     return good;
 }
 
+static bool start_free(struct wall *wall, const struct box *box, struct error *error) {
+    if (!wall_free_create(&wall->free, &wall->options, wall->mesh, box, error))
+        return false;
+    wall_free_begin(wall->free, &wall->base);
+    wall->centre = wall_free_centre(wall->free, &wall->base);
+    wall->twist = wall_free_twist(wall->free);
+    return true;
+}
+
 static bool walls_start_motions(struct walls *walls, int w, struct error *error) {
     struct wall *wall = &walls->wall[w];
     const struct box *box = &walls->box;
@@ -111,7 +121,9 @@ static bool walls_start_motions(struct walls *walls, int w, struct error *error)
         return false;
     if (!wall_motions_pivot(wall->motions, &wall->centre))
         wall->centre = wall->mesh ? wall->mesh->centre : wall->point;
-    wall->moving = wall->options.motions > 0;
+    if (wall->options.free.given && !start_free(wall, box, error))
+        return false;
+    wall->moving = wall_moves(&wall->options);
     wall->slides = wall_motions_slides(wall->motions);
     wall->unit = wall_motions_servo_unit(wall->motions);
     wall_place(wall, 0.0);
@@ -172,6 +184,7 @@ void walls_destroy(struct walls **walls) {
         wall_mesh_destroy(&w->wall[k].mesh);
         wall_grid_destroy(&w->wall[k].grid);
         wall_motions_destroy(&w->wall[k].motions);
+        wall_free_destroy(&w->wall[k].free);
     }
     for (int t = 0; t < w->threads; t++) {
         walls_scratch_free(w->scratch[t]);
@@ -211,13 +224,20 @@ bool walls_have_servo(const struct walls *walls) {
     return false;
 }
 
+bool walls_follow_particles(const struct walls *walls) {
+    for (int w = 0; w < walls->count; w++)
+        if (walls->wall[w].free || wall_motions_has_servo(walls->wall[w].motions))
+            return true;
+    return false;
+}
+
 double *walls_impedance(struct walls *walls, int wall) {
     return &walls->impedance[wall];
 }
 
 bool walls_move(const struct walls *walls) {
     for (int w = 0; w < walls->count; w++)
-        if (walls->wall[w].options.motions > 0)
+        if (wall_moves(&walls->wall[w].options))
             return true;
     return false;
 }
@@ -241,9 +261,18 @@ static void set_twists(struct wall *wall, double t, double dt, double servo_offs
         wall->surface = wall_motions_surface(wall->motions, t, dt, servo_offset);
 }
 
+static void advance_free(struct wall *wall, const struct wall_push *push, const double gravity[3],
+                         double dt) {
+    wall_free_advance(wall->free, push, gravity, dt);
+    wall_place(wall, 0.0);
+    wall->twist = wall_free_twist(wall->free);
+}
+
 void walls_advance(struct walls *walls, double t, double dt, const struct wall_push *push) {
     for (int w = 0; w < walls->count; w++) {
         struct wall *wall = &walls->wall[w];
+        if (wall->free)
+            advance_free(wall, &push[w], walls->gravity, dt);
         if (wall->options.motions == 0)
             continue;
         if (wall->resumed)

@@ -96,7 +96,7 @@ static size_t near_particle(const struct walls *walls, const struct particles *p
     size_t count = 0;
     bool fixed = !walls->fixed_too && walls_at_rest(particles, i);
     for (int w = 0; w < walls->count; w++)
-        if (!fixed || walls->wall[w].options.motions > 0)
+        if (!fixed || wall_moves(&walls->wall[w].options))
             count += walls_near(walls, w, wall_vector(state->x), reach, out ? out + count : NULL, number);
     return count;
 }

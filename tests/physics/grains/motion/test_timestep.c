@@ -131,7 +131,8 @@ static void test_tangential_mode(void **state) {
             pair[0][0] = (struct law_pair){
                 .friction = 1.0, .rolling_friction = 1.0, .k_n = 7.0, .k_t = 7.0, .gamma_t = damping[k]};
             OWN_LAW law = prepared(options, 1, &m);
-            const struct timestep_kind kind[2] = {{0, false, 1.0, 1.0, 1.0, TIMESTEP_SPHERE}, {.wall = true}};
+            const struct timestep_kind kind[2] = {{0, false, 1.0, 1.0, 1.0, TIMESTEP_SPHERE, 0.0},
+                                                  {.wall = true}};
             struct timestep_limits spheres = limits_for(&law, &m, 1, kind, 1, 0.0);
             struct timestep_limits both = limits_for(&law, &m, 2, kind, 1, 0.0);
             /* m* is half a mass, R* half a radius */
@@ -157,8 +158,8 @@ static void test_bidisperse(void **state) {
                 .friction = 0.5, .k_n = 1000.0, .k_t = 1000.0 * 2.0 / 7.0, .gamma_n = 50.0, .gamma_t = 25.0};
     OWN_LAW law = prepared(options, 2, m);
     double mass = 4.0 / 3.0 * M_PI;
-    const struct timestep_kind kind[2] = {{0, false, 1.0, 1.0, mass, TIMESTEP_SPHERE},
-                                          {1, false, 10.0, 10.0, 1000.0 * mass, TIMESTEP_SPHERE}};
+    const struct timestep_kind kind[2] = {{0, false, 1.0, 1.0, mass, TIMESTEP_SPHERE, 0.0},
+                                          {1, false, 10.0, 10.0, 1000.0 * mass, TIMESTEP_SPHERE, 0.0}};
     struct timestep_limits small = limits_for(&law, m, 1, kind, 0, 0.0);
     struct timestep_limits large = limits_for(&law, m, 1, kind + 1, 0, 0.0);
     struct timestep_limits both = limits_for(&law, m, 2, kind, 0, 0.0);
@@ -183,8 +184,8 @@ static void test_penetration(void **state) {
     pair[0][1] = (struct law_pair){.restitution = 0.4, .friction = 0.2};
     pair[1][1] = (struct law_pair){.restitution = 0.6, .friction = 0.5};
     double glass = 4.0 / 3.0 * M_PI * 1e-9 * 2500.0, ball = 4.0 / 3.0 * M_PI * 1e-6 * 7200.0;
-    const struct timestep_kind kind[3] = {{0, false, 1e-3, 1e-3, glass, TIMESTEP_SPHERE},
-                                          {1, false, 1e-2, 1e-2, ball, TIMESTEP_SPHERE},
+    const struct timestep_kind kind[3] = {{0, false, 1e-3, 1e-3, glass, TIMESTEP_SPHERE, 0.0},
+                                          {1, false, 1e-2, 1e-2, ball, TIMESTEP_SPHERE, 0.0},
                                           {.material = 1, .wall = true}};
     for (int equal = 0; equal < 2; equal++) {
         options.tangential_damping_equal = equal;
