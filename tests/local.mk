@@ -43,12 +43,12 @@ check_PROGRAMS += \
 	%D%/physics/grains/motion/test_integrator %D%/physics/grains/motion/test_stability \
 	%D%/physics/grains/motion/test_timestep %D%/physics/grains/walls/test_mesh \
 	%D%/physics/grains/walls/test_mesh_ply %D%/physics/grains/walls/test_wall \
-	%D%/physics/grains/walls/test_wall_edge %D%/physics/grains/walls/test_wall_free \
-	%D%/physics/grains/walls/test_wall_history %D%/physics/grains/walls/test_wall_images \
-	%D%/physics/grains/walls/test_wall_mesh %D%/physics/grains/walls/test_wall_motion \
-	%D%/physics/grains/walls/test_wall_moving %D%/physics/grains/walls/test_wall_touch \
-	%D%/physics/hard/test_hard %D%/physics/hard/test_models %D%/physics/hard/test_newton \
-	%D%/physics/hard/test_resist
+	%D%/physics/grains/walls/test_wall_edge %D%/physics/grains/walls/test_wall_field \
+	%D%/physics/grains/walls/test_wall_free %D%/physics/grains/walls/test_wall_history \
+	%D%/physics/grains/walls/test_wall_images %D%/physics/grains/walls/test_wall_mesh \
+	%D%/physics/grains/walls/test_wall_motion %D%/physics/grains/walls/test_wall_moving \
+	%D%/physics/grains/walls/test_wall_touch %D%/physics/hard/test_hard %D%/physics/hard/test_models \
+	%D%/physics/hard/test_newton %D%/physics/hard/test_resist
 check_LTLIBRARIES += libtests.la
 libtests_la_SOURCES = \
 	%D%/index/bench_fit.c %D%/index/bench_scene.c %D%/index/index_cloud.c %D%/mpi/cloud.c %D%/mpi/fixture.c \

@@ -34,6 +34,9 @@ sed 's/^gravity: .*/gravity: [0, -1]/; s/^box: .*/box: {dimension: 2, lower: [-1
     s/point: \[0, 0, \([0-9]*\)\], normal: \[0, 0, \(-*1\)\]/point: [0, \1], normal: [0, \2]/
     s/count: 70/count: 50/' space.yaml >plane.yaml
 
+awk 'BEGIN { split("0 2 1 1 2 3 4 5 6 5 7 6 0 1 4 1 5 4 2 6 3 3 6 7 0 4 2 2 4 6 1 3 5 3 7 5", c) # a cube
+    for (t = 0; t < 12; t++) { for (k = 1; k <= 3; k++) { v = c[3 * t + k]; printf "%d %d %d ", v % 2, int(v / 2) % 2, int(v / 4) } print "" } }' >lump.txt
+
 # What a feature sets, in three dimensions and, where it differs, in two; separated by lines
 declare -A sets=(
     [hertz]='contact.law=hertz
@@ -63,6 +66,7 @@ material_pairs[0].bridge_fraction=0.02'
     [servo]='walls[lid].motion=[{kind: servo, direction: [0, 0, 1], force: 50, speed_max: 2}]'
     [servo-plane]='walls[lid].motion=[{kind: servo, direction: [0, 1], force: 50, speed_max: 2}]'
     [free]='walls[2]={name: block, shape: box, lower: [2, 3, 6], upper: [3.5, 4, 6.6], material: a, free: {density: 1, angular_velocity: [0, 1, 0]}}'
+    [field]='walls[3]={name: lump, shape: mesh, file: lump.txt, format: table, scale: 1.5, offset: [4, 4, 2.5], field: true, field_spacing: 0.1, material: a}'
     [free-plane]='walls[2]={name: block, shape: box, lower: [2, 6, -1], upper: [4, 7, 1], material: a, free: {mass: 2, angular_velocity: [0, 0, 1]}}'
     [closed]='walls=~
 box.periodic=true
@@ -127,9 +131,9 @@ everywhere() {
 together() { # SCENE FEATURE...: on a line of its own
     check "$*" everywhere "$@"
 }
-together space hertz rolling clumps heat hot drag mesh moving grids files vtk packed free
-together space bonds clumps heat hot stokes density mesh servo insertion stages grids packed free
-together space jkr clumps stokes density moving servo insertion groups files auto free
+together space hertz rolling clumps heat hot drag mesh moving grids files vtk packed free field
+together space bonds clumps heat hot stokes density mesh servo insertion stages grids packed free field
+together space jkr clumps stokes density moving servo insertion groups files auto free field
 together space capillary bonds heat drag mesh moving deletion groups grids verlet files vtk packed free
 together space thornton clumps heat hot density servo mesh groups stages
 together space eepa bonds clumps drag density mesh moving insertion deletion auto

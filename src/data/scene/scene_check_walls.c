@@ -175,6 +175,23 @@ static bool check_all_free(const struct scene *scene, struct error *error) {
     return true;
 }
 
+static bool check_fields(const struct scene *scene, struct error *error) {
+    for (int w = 0; w < scene->walls; w++) {
+        const struct wall_options *wall = &scene->wall[w];
+        char key[80];
+        if (wall->shape != WALL_MESH)
+            continue;
+        snprintf(key, sizeof(key), "walls[%d].field_spacing", w);
+        if (!wall->field && !isnan(wall->field_spacing))
+            return scene_fail(scene, error, key, "is that of a field; needs field: true");
+        snprintf(key, sizeof(key), "walls[%d].field", w);
+        if (wall->field && scene->box.dimension == 2)
+            return scene_fail(scene, error, key, "needs three dimensions; allowed in two: false");
+    }
+    return true;
+}
+
 bool scene_check_walls(const struct scene *scene, struct error *error) {
-    return check_periodic(scene, error) && check_motions(scene, error) && check_all_free(scene, error);
+    return check_periodic(scene, error) && check_motions(scene, error) && check_all_free(scene, error) &&
+           check_fields(scene, error);
 }

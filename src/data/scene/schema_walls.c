@@ -190,6 +190,11 @@ static const struct schema_row wall_rows[] = {
      .help = "factor for lengths in the file: 0.001 for a mesh in millimetres"},
     {.key = "offset", .type = SCHEMA_VECTOR, .unit = "m", .fallback = "[0, 0, 0]", .when = "shape=mesh",
      AT(struct wall_options, offset), .help = "vector added to all corners, after scaling"},
+    {.key = "field", .type = SCHEMA_BOOL, .fallback = "false", .when = "shape=mesh", AT(struct wall_options, field),
+     .help = "true: the mesh, a closed surface, is felt by signed distances at the nodes of a grid near it: smooth over its facets, at a "
+             "cost that does not depend on their number, with one contact a grain; `scree check` tells the error. Three dimensions"},
+    {.key = "field_spacing", .type = SCHEMA_REAL, .unit = "m", .range = "(0, inf)", .when = "shape=mesh", AT(struct wall_options, field_spacing),
+     .help = "spacing of the nodes of a field; left out: a 128th of the longest side of the mesh", .example = "0.5 mm"},
     {.key = "motion", .type = SCHEMA_LIST, .sub = &motion_table,
      ARRAY_AT(struct wall_options, motion, motions),
      .help = "motions, the first applied first; none: the wall is at rest, or free"},

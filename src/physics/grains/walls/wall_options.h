@@ -107,6 +107,8 @@ struct wall_options {
     char format[16];            /* MESH: "stl", "table", or "" = by content */
     double scale;               /* MESH: lengths in the file x this */
     double offset[3];           /* MESH: added after scaling */
+    bool field;                 /* MESH: felt by a distance field (wall_field.h) */
+    double field_spacing;       /* of its nodes, length; NAN: by the size of the mesh */
     int motions;
     struct wall_motion motion[WALL_MOTIONS_MAX];
     struct wall_free_options free; /* goes with no motions */

@@ -33,7 +33,8 @@ static bool wall_make_mesh(struct wall *wall, const struct box *box, FILE *notes
     mesh_free(&file);
     if (good)
         wall->grid = wall_grid_create(wall->mesh);
-    return good;
+    return good &&
+           (!o->field || wall_field_create(&wall->field, wall->mesh, o->field_spacing, o->name, error));
 }
 
 /* Point and axis of a plane or cylinder. */
@@ -183,6 +184,7 @@ void walls_destroy(struct walls **walls) {
     for (int k = 0; k < w->count; k++) {
         wall_mesh_destroy(&w->wall[k].mesh);
         wall_grid_destroy(&w->wall[k].grid);
+        wall_field_destroy(&w->wall[k].field);
         wall_motions_destroy(&w->wall[k].motions);
         wall_free_destroy(&w->wall[k].free);
     }

@@ -1,9 +1,10 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
-/* The free ones among the walls. Read walls_free.h first. */
+/* The free ones among the walls, and what is told of a wall. Read walls_free.h first. */
 #include "physics/grains/walls/walls_free.h"
 #include "physics/grains/walls/walls_parts.h"
 #include "base/moments.h"
 #include <math.h>
+#include <stdio.h>
 #include <string.h>
 
 bool walls_is_free(const struct walls *walls, int wall) {
@@ -103,7 +104,14 @@ double walls_turn_yield(const struct walls *walls, int wall) {
 }
 
 void walls_describe(const struct walls *walls, int wall, char *text, size_t room) {
+    const struct wall *w = &walls->wall[wall];
     text[0] = '\0';
-    if (walls->wall[wall].free)
-        wall_free_describe(walls->wall[wall].free, text, room);
+    if (w->free)
+        wall_free_describe(w->free, text, room);
+    if (w->field == NULL)
+        return;
+    struct wall_field_figures figures = wall_field_look(w->field);
+    size_t used = strlen(text);
+    snprintf(text + used, room - used, "  field of spacing %.3g, %.3g MiB, error up to %.2g", figures.spacing,
+             (double)figures.bytes / 1048576.0, figures.error);
 }

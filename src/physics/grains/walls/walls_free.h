@@ -33,7 +33,7 @@ double walls_yield_worst(const struct walls *walls, int wall, const double at[3]
 double walls_yield_most(const struct walls *walls, int wall);
 double walls_turn_yield(const struct walls *walls, int wall);
 
-/* Writes mass and freedom of a wall as a text, empty if it is not free. */
+/* Writes what `scree check` says of a wall: mass and freedom of a free one; spacing, memory and error of a field. */
 void walls_describe(const struct walls *walls, int wall, char *text, size_t room);
 
 #endif

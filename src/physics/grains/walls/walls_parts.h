@@ -14,6 +14,7 @@
 
 #include "physics/grains/batch/force_kernel.h"
 #include "physics/grains/walls/wall.h"
+#include "physics/grains/walls/wall_field.h"
 #include "physics/grains/walls/wall_free.h"
 #include "physics/grains/walls/wall_grid.h"
 #include "physics/grains/walls/wall_motion.h"
@@ -27,6 +28,7 @@ struct wall {
         axis;               /* PLANE: point and normal; CYLINDER: middle and axis; box-relative, at rest */
     struct wall_mesh *mesh; /* MESH */
     struct wall_grid *grid;
+    struct wall_field *field; /* NULL: the mesh is felt by its triangles */
     struct wall_motions *motions;
     struct wall_free *free;   /* NULL: the wall is not free */
     struct law_vector centre; /* at rest, see struct wall_pose */
@@ -50,8 +52,11 @@ struct wall {
     int image[IMAGE_CODES]; /* codes of the images to look at */
 };
 
+/* A piece of a wall that is felt by a field is all of one of its images. */
+enum { WALL_PIECE_FIELD = -1 };
+
 struct wall_piece {
-    int32_t triangle; /* MESH */
+    int32_t triangle; /* MESH; WALL_PIECE_FIELD */
     uint8_t wall, image;
 };
 

@@ -77,5 +77,5 @@ size_t walls_triangles(const struct walls *walls, int wall, double (**triangles)
 
 double walls_turn(const struct walls *walls, int wall) {
     const struct wall_mesh *mesh = walls->wall[wall].mesh;
-    return mesh ? wall_mesh_turn(mesh, WALL_TOUCH_SMOOTH) : INFINITY;
+    return mesh && walls->wall[wall].field == NULL ? wall_mesh_turn(mesh, WALL_TOUCH_SMOOTH) : INFINITY;
 }
