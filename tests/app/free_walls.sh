@@ -160,6 +160,28 @@ crosses() {
 }
 check 'a block through a periodic side' crosses
 
+# A plate far lighter than the grains below it: the step that the program finds keeps the energy, one of the grains alone would not
+cat >light.yaml <<'YAML'
+units: none
+box: {lower: [0, 0, 0], upper: [4, 4, 4]}
+gravity: [0, 0, -10]
+step: {count: 6000, fraction: 0.3}
+contact: {law: hooke, tangential: none}
+materials: [{name: a, density: 1}]
+material_pairs: [{k_n: 2e4, restitution: 1}]
+walls:
+  - {name: floor, shape: plane, point: [0, 0, 0], normal: [0, 0, 1]}
+  - {name: plate, shape: rectangle, point: [0.4, 0.4, 0.99], along: [3.2, 0, 0], across: [0, 3.2, 0], free: {mass: 0.01}}
+particles: {from: lattice, lattice: sc, spacing: 0.98, sizes: 0.49, region: {shape: box, lower: [0.5, 0.5, 0], upper: [3.5, 3.5, 0.985]}}
+observables: {every: 6000, list: [{name: energy_balance}, {name: energy_kinetic}]}
+output: {checkpoint: {at_end: false}}
+YAML
+light() {
+    rm -rf light && run_scene 1 light.yaml light && awk -F , 'NR == 2 { first = $2 } END { printf "  energy changes by %.2g of %.2g in play\n", $2 - first, $3; d = $2 - first; exit !(d * d < 1e-6) }' light/observables.csv &&
+        "$scree" check light.yaml | grep -o 'of the stable [0-9.e-]*' >told && within "$(awk '{ print $4 }' told)" 2.8e-4 1e-5
+}
+check 'a light plate: the step' light
+
 # A stage frees a plate, which then falls
 falls() {
     { grep -v '^step:\|^walls:\|^observables:' tray.yaml

@@ -47,7 +47,9 @@ static void limits_find(const struct physics_context *c, const struct sorts *sor
         if (walls_is_free(grains->walls, w))
             kind[n++] = (struct timestep_kind){.material = c->scene->wall[w].material,
                                                .wall = true,
-                                               .yield = walls_yield_most(grains->walls, w)};
+                                               .yield = {walls_yield_most(grains->walls, w),
+                                                         walls_yield_spread(grains->walls, w),
+                                                         walls_whole_area(grains->walls, w)}};
     timestep_limits(&grains->stable.limits, &(struct timestep_input){.law = &grains->law,
                                                                      .kinds = n,
                                                                      .kind = kind,

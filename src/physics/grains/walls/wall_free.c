@@ -255,6 +255,10 @@ double wall_free_yield_most(const struct wall_free *free) {
     return yield_at(free, free->extent + (about ? sqrt(law_dot(arm, arm)) : 0.0));
 }
 
+double wall_free_yield_spread(const struct wall_free *free) {
+    return free->options.freedom == WALL_FREE_ABOUT ? wall_free_yield_most(free) : 1.0 / free->mass;
+}
+
 void wall_free_describe(const struct wall_free *free, char *text, size_t room) {
     const double *inertia = free->inertia;
     switch (free->options.freedom) {

@@ -90,10 +90,12 @@ void wall_free_find_full(struct wall_free *free, const struct wall_push *push, c
 /* The inverse of the mass that the wall has against a push along a unit vector at a place of it. */
 double wall_free_yield(const struct wall_free *free, struct law_vector at, struct law_vector along);
 
-/* A bound on that of all directions at a place; of all places and directions; and on the inverse of the inertia against turning, 0 of walls that do not
+/* A bound on that of all directions at a place; of all places and directions; against pushes that are spread over the wall, over
+ * their number: of a wall that turns about an axis as if all were at its far end; and on the inverse of the inertia against turning, 0 of walls that do not
  * turn. */
 double wall_free_yield_worst(const struct wall_free *free, struct law_vector at);
 double wall_free_yield_most(const struct wall_free *free);
+double wall_free_yield_spread(const struct wall_free *free);
 double wall_free_turn_yield(const struct wall_free *free);
 
 /* Writes mass and freedom as a text. */

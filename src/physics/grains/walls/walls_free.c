@@ -98,9 +98,27 @@ double walls_yield_most(const struct walls *walls, int wall) {
     return free ? wall_free_yield_most(free) : 0.0;
 }
 
+double walls_yield_spread(const struct walls *walls, int wall) {
+    const struct wall_free *free = walls->wall[wall].free;
+    return free ? wall_free_yield_spread(free) : 0.0;
+}
+
 double walls_turn_yield(const struct walls *walls, int wall) {
     const struct wall_free *free = walls->wall[wall].free;
     return free ? wall_free_turn_yield(free) : 0.0;
+}
+
+double walls_whole_area(const struct walls *walls, int wall) {
+    const struct wall *w = &walls->wall[wall];
+    const double *edge = walls->box.edge, longest = law_max(law_max(edge[0], edge[1]), edge[2]);
+    const double normal[3] = {w->axis.x, w->axis.y, w->axis.z};
+    double length = w->options.length > 0.0 ? w->options.length : longest;
+    bool flat = walls->box.dimension == 2;
+    if (w->options.shape == WALL_PLANE)
+        return walls_area(walls, wall, normal);
+    if (w->options.shape == WALL_CYLINDER)
+        return flat ? 0.0 : 2.0 * M_PI * w->options.radius * length;
+    return flat ? 0.0 : wall_mesh_area(w->mesh) * (wall_mesh_open_edges(w->mesh, false) == 0 ? 1.0 : 2.0);
 }
 
 void walls_describe(const struct walls *walls, int wall, char *text, size_t room) {

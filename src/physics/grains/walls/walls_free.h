@@ -26,12 +26,18 @@ double walls_taken(const struct walls *walls);
  * read before walls_set_pose. */
 int walls_free_numbers(struct walls *walls, int wall, double **number);
 
-/* The inverse of the mass that a wall has against a push along a unit vector at a place of it, in the wall's own image; the most in
- * any direction there; the most at any place and in any direction; and the most of the inverse of its inertia. Any thread. */
+/* The inverse of the mass that a wall has against a push along a unit vector at a place of it, in the wall's own image; the
+ * most in any direction there; the most at any place and in any direction; that against pushes spread over the wall, over their
+ * number; and the most of the inverse of its inertia. Any thread. */
 double walls_yield(const struct walls *walls, int wall, const double at[3], const double along[3]);
 double walls_yield_worst(const struct walls *walls, int wall, const double at[3]);
 double walls_yield_most(const struct walls *walls, int wall);
+double walls_yield_spread(const struct walls *walls, int wall);
 double walls_turn_yield(const struct walls *walls, int wall);
+
+/* The area of a wall on which particles may lie: of both sides of an open mesh, of a plane its section of the box (in two
+ * dimensions a length), of an endless cylinder that of a length of the longest edge of the box. 0: unknown. */
+double walls_whole_area(const struct walls *walls, int wall);
 
 /* Writes what `scree check` says of a wall: mass and freedom of a free one; spacing, memory and error of a field. */
 void walls_describe(const struct walls *walls, int wall, char *text, size_t room);
