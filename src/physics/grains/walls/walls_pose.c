@@ -29,11 +29,19 @@ void walls_offset(const struct walls *walls, int wall, double offset[3]) {
     put(offset, law_add(wall_vector(w->pose.translation), 1.0, turned));
 }
 
-/* A free wall whose state is known goes on; else the pose is the one in which it becomes free. */
+/* A free wall whose state leads to its pose goes on. Else, as where its freedom is another one now, the pose is the one in which
+ * it becomes free. */
 static void go_on_free(struct wall *wall) {
-    if (wall->free->state.known == 0.0)
+    if (wall->free->state.known != 0.0) {
+        wall_free_begin(wall->free, &wall->base);
+        struct wall_transform moved = wall_free_place(wall->free),
+                              there = wall_transform_compose(&moved, &wall->base);
+        wall->free->state.known = wall_transform_near(&there, &wall->pose) ? 1.0 : 0.0;
+    }
+    if (wall->free->state.known == 0.0) {
         wall->base = wall->pose;
-    wall_free_begin(wall->free, &wall->base);
+        wall_free_begin(wall->free, &wall->base);
+    }
     wall->centre = wall_free_centre(wall->free, &wall->base);
     wall->twist = wall_free_twist(wall->free);
 }

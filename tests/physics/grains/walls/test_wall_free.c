@@ -301,6 +301,19 @@ static void test_go_on(void **state) {
     assert_memory_equal(&pose, &other, sizeof pose);
     world_close(&two);
 
+    struct wall_options door = wall; /* the state of another freedom: the wall stays where it is */
+    door.free.freedom = WALL_FREE_ABOUT;
+    door.free.direction[0] = 1.0;
+    world_open(&two, hand_box(4.0), hand_law(LAW_HOOKE, 1.0, 0.0), &door, 1, 1);
+    walls_free_numbers(two.walls, 0, &copy);
+    memcpy(copy, number, (size_t)count * sizeof *copy);
+    walls_set_pose(two.walls, 0, &pose);
+    walls_advance(two.walls, 0.0, 1e-4, push);
+    walls_pose(two.walls, 0, &other);
+    for (int k = 0; k < 9; k++)
+        assert_near(other.rotation[k], pose.rotation[k], 1e-14);
+    world_close(&two);
+
     memset(wall.free.omega, 0, sizeof wall.free.omega);
     world_open(&two, hand_box(4.0), hand_law(LAW_HOOKE, 1.0, 0.0), &wall, 1, 1);
     walls_set_pose(two.walls, 0, &pose);
