@@ -12,15 +12,15 @@ EXTRA_DIST += \
 	%D%/images/gallery-hopper-plot.png %D%/images/gallery-hopper.png %D%/images/gallery-pouring-plot.png \
 	%D%/images/gallery-pouring.png %D%/images/gallery-shear_cell-plot.png %D%/images/gallery-shear_cell.png \
 	%D%/images/gallery-sieve-plot.png %D%/images/gallery-sieve.png %D%/images/gate.png \
-	%D%/images/heated-drum.png %D%/images/penetration.png %D%/images/performance-auto.svg \
-	%D%/images/performance-cells.svg %D%/images/performance-continuous.svg %D%/images/performance-growth.svg \
-	%D%/images/performance-optimum.svg %D%/images/performance-roofline.svg %D%/images/performance-univol.svg \
-	%D%/images/picture-drum.png %D%/images/report-ablation.png %D%/images/report.png %D%/images/repose.png \
-	%D%/images/scaling-hybrid.svg %D%/images/scaling-model.svg %D%/images/scaling-ranks.svg \
-	%D%/images/scaling-sizes.svg %D%/images/scaling-speed.svg %D%/images/scour.png %D%/images/settling.png \
-	%D%/images/site.png %D%/images/speed-error-angle.svg %D%/images/speed-error-column.svg \
-	%D%/images/speed-error-drum.svg %D%/images/speed-error-penetration.svg %D%/images/tumbling.png \
-	%D%/images/tutorial.png %D%/images/two-sizes.png %D%/images/verify-beverloo-3d.svg \
+	%D%/images/heated-drum.png %D%/images/paddle_wheel.png %D%/images/penetration.png \
+	%D%/images/performance-auto.svg %D%/images/performance-cells.svg %D%/images/performance-continuous.svg \
+	%D%/images/performance-growth.svg %D%/images/performance-optimum.svg %D%/images/performance-roofline.svg \
+	%D%/images/performance-univol.svg %D%/images/picture-drum.png %D%/images/report-ablation.png \
+	%D%/images/report.png %D%/images/repose.png %D%/images/scaling-hybrid.svg %D%/images/scaling-model.svg \
+	%D%/images/scaling-ranks.svg %D%/images/scaling-sizes.svg %D%/images/scaling-speed.svg %D%/images/scour.png \
+	%D%/images/settling.png %D%/images/site.png %D%/images/speed-error-angle.svg \
+	%D%/images/speed-error-column.svg %D%/images/speed-error-drum.svg %D%/images/speed-error-penetration.svg \
+	%D%/images/tumbling.png %D%/images/tutorial.png %D%/images/two-sizes.png %D%/images/verify-beverloo-3d.svg \
 	%D%/images/verify-beverloo.svg %D%/images/verify-bonded-cantilever.svg %D%/images/verify-bouncing.svg \
 	%D%/images/verify-bowl.svg %D%/images/verify-capillary-bridge.svg %D%/images/verify-chain.svg \
 	%D%/images/verify-chung-ooi-1.svg %D%/images/verify-chung-ooi-2.svg %D%/images/verify-chung-ooi-3.svg \

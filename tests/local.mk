@@ -46,7 +46,8 @@ check_PROGRAMS += \
 	%D%/physics/grains/motion/test_integrator %D%/physics/grains/motion/test_stability \
 	%D%/physics/grains/motion/test_timestep %D%/physics/grains/walls/test_mesh \
 	%D%/physics/grains/walls/test_mesh_ply %D%/physics/grains/walls/test_wall \
-	%D%/physics/grains/walls/test_wall_edge %D%/physics/grains/walls/test_wall_history \
+	%D%/physics/grains/walls/test_wall_edge %D%/physics/grains/walls/test_wall_field \
+	%D%/physics/grains/walls/test_wall_free %D%/physics/grains/walls/test_wall_history \
 	%D%/physics/grains/walls/test_wall_images %D%/physics/grains/walls/test_wall_mesh \
 	%D%/physics/grains/walls/test_wall_motion %D%/physics/grains/walls/test_wall_moving \
 	%D%/physics/grains/walls/test_wall_touch %D%/physics/hard/test_hard %D%/physics/hard/test_models \

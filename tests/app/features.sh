@@ -34,6 +34,9 @@ sed 's/^gravity: .*/gravity: [0, -1]/; s/^box: .*/box: {dimension: 2, lower: [-1
     s/point: \[0, 0, \([0-9]*\)\], normal: \[0, 0, \(-*1\)\]/point: [0, \1], normal: [0, \2]/
     s/count: 70/count: 50/' space.yaml >plane.yaml
 
+awk 'BEGIN { split("0 2 1 1 2 3 4 5 6 5 7 6 0 1 4 1 5 4 2 6 3 3 6 7 0 4 2 2 4 6 1 3 5 3 7 5", c) # a cube
+    for (t = 0; t < 12; t++) { for (k = 1; k <= 3; k++) { v = c[3 * t + k]; printf "%d %d %d ", v % 2, int(v / 2) % 2, int(v / 4) } print "" } }' >lump.txt
+
 # What a feature sets, in three dimensions and, where it differs, in two; separated by lines
 declare -A sets=(
     [hertz]='contact.law=hertz
@@ -62,6 +65,9 @@ material_pairs[0].bridge_fraction=0.02'
     [moving-plane]='walls[floor].motion=[{kind: oscillate, direction: [1, 0.3], amplitude: 0.2, frequency: 2}]'
     [servo]='walls[lid].motion=[{kind: servo, direction: [0, 0, 1], force: 50, speed_max: 2}]'
     [servo-plane]='walls[lid].motion=[{kind: servo, direction: [0, 1], force: 50, speed_max: 2}]'
+    [free]='walls[2]={name: block, shape: box, lower: [2, 3, 6], upper: [3.5, 4, 6.6], material: a, free: {density: 1, angular_velocity: [0, 1, 0]}}'
+    [field]='walls[3]={name: lump, shape: mesh, file: lump.txt, format: table, scale: 1.5, offset: [4, 4, 2.5], field: true, field_spacing: 0.1, material: a}'
+    [free-plane]='walls[2]={name: block, shape: box, lower: [2, 6, -1], upper: [4, 7, 1], material: a, free: {mass: 2, angular_velocity: [0, 0, 1]}}'
     [closed]='walls=~
 box.periodic=true
 gravity=[0, 0, 0]'
@@ -125,10 +131,10 @@ everywhere() {
 together() { # SCENE FEATURE...: on a line of its own
     check "$*" everywhere "$@"
 }
-together space hertz rolling clumps heat hot drag mesh moving grids files vtk packed
-together space bonds clumps heat hot stokes density mesh servo insertion stages grids packed
-together space jkr clumps stokes density moving servo insertion groups files auto
-together space capillary bonds heat drag mesh moving deletion groups grids verlet files vtk packed
+together space hertz rolling clumps heat hot drag mesh moving grids files vtk packed free field
+together space bonds clumps heat hot stokes density mesh servo insertion stages grids packed free field
+together space jkr clumps stokes density moving servo insertion groups files auto free field
+together space capillary bonds heat drag mesh moving deletion groups grids verlet files vtk packed free
 together space thornton clumps heat hot density servo mesh groups stages
 together space eepa bonds clumps drag density mesh moving insertion deletion auto
 together space luding rolling bonds heat density groups leave insertion
@@ -141,8 +147,8 @@ together space luding clumps heat stokes density grids files closed stressed aut
 together space jkr clumps heat drag grids closed strained deletion stages packed
 together space capillary clumps drag density files long closed sheared strained
 together space rolling heat closed deletion stages verlet stressed # gravity comes in a stage
-together plane clumps heat hot stokes density moving grids files vtk packed
-together plane hertz bonds heat stokes servo insertion deletion groups stages
+together plane clumps heat hot stokes density moving grids files vtk packed free
+together plane hertz bonds heat stokes servo insertion deletion groups stages free
 together plane hertz clumps more-clumps deletion leave heat stokes grids
 together plane jkr rolling clumps mesh insertion moving stages auto
 together plane luding clumps heat stokes density closed sheared grids

@@ -166,6 +166,14 @@ static void wall_work(const struct observable_context *context, struct observabl
     part[0] = context->view->walls ? walls_work(context->view->walls) : 0;
 }
 
+/* Every rank knows the free walls: rank 0 gives them. */
+static void wall_energy(const struct observable_context *context, struct observable_item *item,
+                        double *part) {
+    (void)item;
+    if (context->view->walls && context->view->comm->rank == 0)
+        part[0] = walls_energy(context->view->walls);
+}
+
 /* The energy that is constant in a run without error: all forms of energy, plus the energy that left, less
  * the energy that walls brought. */
 static void total_of_rank(const struct observable_context *context, struct observable_item *item,
@@ -289,10 +297,17 @@ static const struct observable_kind kinds[] = {
      .needs_sums = true,
      .needs_work = true,
      .of_rank = dissipated},
-    {.info = ALL("work_walls", "energy", "J", 1, "work done by walls on particles since the start"),
+    {.info = ALL("work_walls", "energy", "J", 1,
+                 "work done by walls on particles since the start; of free walls none counts"),
      .parts = 1,
      .of_rank = wall_work,
      .relevant = has_walls},
+    {.info = ALL("energy_walls", "", "J", 1,
+                 "energy of free walls, part of the balance: of motion and of springs, and of gravity and "
+                 "loads from where "
+                 "they became free"),
+     .parts = 1,
+     .of_rank = wall_energy},
     {.info = ALL("energy_balance", "energy", "J", 1,
                  "sum of all energies and of the dissipated energy, less the work of walls: constant except "
                  "for errors of the time step"),

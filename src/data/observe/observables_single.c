@@ -27,10 +27,21 @@ static void wall_offset(const struct observable_context *context, struct observa
 
 static void wall_velocity(const struct observable_context *context, struct observable_item *item,
                           double *part) {
-    struct wall_pose pose;
-    walls_pose(context->view->walls, item->wall, &pose);
+    double omega[3];
     if (context->view->comm->rank == 0)
-        memcpy(part, pose.velocity, sizeof pose.velocity);
+        walls_velocity(context->view->walls, item->wall, part, omega);
+}
+
+static void wall_spin(const struct observable_context *context, struct observable_item *item, double *part) {
+    double velocity[3];
+    if (context->view->comm->rank == 0)
+        walls_velocity(context->view->walls, item->wall, velocity, part);
+}
+
+static void wall_rotation(const struct observable_context *context, struct observable_item *item,
+                          double *part) {
+    if (context->view->comm->rank == 0)
+        walls_rotation(context->view->walls, item->wall, part);
 }
 
 /* Finds the number of the item's particle on this rank; false if the particle is not here. Searches only
@@ -180,7 +191,12 @@ static const struct observable_kind kinds[] = {
              "torque of the particles on a wall about its centre"),
     WALL_ROW("wall_offset", "", "m", "", wall_offset,
              "displacement of a wall's centre from its place at rest"),
-    WALL_ROW("wall_velocity", "", "m/s", "v", wall_velocity, "velocity of a wall"),
+    WALL_ROW("wall_velocity", "", "m/s", "v", wall_velocity, "velocity of a wall's centre"),
+    WALL_ROW("wall_rotation", "", "rad", "phi", wall_rotation,
+             "rotation vector of a wall from its pose at rest, up to half a turn; of a wall that is free "
+             "about an axis the "
+             "angle, with all turns"),
+    WALL_ROW("wall_angular_velocity", "", "rad/s", "w", wall_spin, "angular velocity of a wall"),
     PARTICLE_ROW("position", "m", "", position_of_one, "position of one particle"),
     PARTICLE_ROW("velocity", "m/s", "v", velocity_of_one, "velocity of one particle"),
     PARTICLE_ROW("angular_velocity", "rad/s", "w", spin_of_one, "angular velocity of one particle"),

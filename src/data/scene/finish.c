@@ -269,6 +269,10 @@ static bool finish_walls(struct scene *scene, struct error *error) {
         if ((wall->shape == WALL_CYLINDER || wall->shape == WALL_CONE) &&
             !unit_vector(scene, wall->axis, error, key))
             return false;
+        snprintf(key, sizeof(key), "walls[%d].free.direction", w);
+        bool directed = wall->free.freedom == WALL_FREE_ALONG || wall->free.freedom == WALL_FREE_ABOUT;
+        if (wall->free.given && directed && !unit_vector(scene, wall->free.direction, error, key))
+            return false;
         for (int m = 0; m < wall->motions; m++) {
             struct wall_motion *motion = &wall->motion[m];
             snprintf(key, sizeof(key), "walls[%d].motion[%d].direction", w, m);

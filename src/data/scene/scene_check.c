@@ -55,6 +55,26 @@ static bool check_plane_motion(const struct scene *scene, const struct wall_moti
     return true;
 }
 
+/* A free wall that stays in the plane. */
+static bool check_plane_free(const struct scene *scene, int w, struct error *error) {
+    const struct wall_free_options *free = &scene->wall[w].free;
+    char key[96];
+    snprintf(key, sizeof(key), "walls[%d].free.density", w);
+    if (!isnan(free->density))
+        return scene_fail(scene, error, key,
+                          "needs a volume, which nothing has in two dimensions; allowed: mass");
+    snprintf(key, sizeof(key), "walls[%d].free.direction", w);
+    if (free->freedom == WALL_FREE_ABOUT)
+        return check_turns(scene, free->direction, key, error);
+    if (free->freedom == WALL_FREE_ALONG)
+        return check_moves(scene, free->direction, key, error);
+    snprintf(key, sizeof(key), "walls[%d].free.velocity", w);
+    if (!check_moves(scene, free->velocity, key, error))
+        return false;
+    snprintf(key, sizeof(key), "walls[%d].free.angular_velocity", w);
+    return check_turns(scene, free->omega, key, error);
+}
+
 /* A plane stands upright, or bounds z where the box ends; a cylinder stands or lies. */
 static bool check_plane_wall(const struct scene *scene, int w, struct error *error) {
     const struct wall_options *wall = &scene->wall[w];
@@ -72,6 +92,8 @@ static bool check_plane_wall(const struct scene *scene, int w, struct error *err
         return scene_fail(
             scene, error, key,
             "leans out of the plane of a two-dimensional scene; allowed: [0, 0, 1] or [x, y, 0]");
+    if (wall->free.given && !check_plane_free(scene, w, error))
+        return false;
     for (int m = 0; m < wall->motions; m++) {
         snprintf(key, sizeof(key), "walls[%d].motion[%d]", w, m);
         if (!check_plane_motion(scene, &wall->motion[m], key, error))

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
-/* Walls that cannot be: their places in a periodic box, and their motions. */
+/* Walls that cannot be: their places in a periodic box, their motions, and free ones. */
 #include "data/scene/scene_check.h"
 
 #include <math.h>
@@ -105,6 +105,93 @@ static bool check_motions(const struct scene *scene, struct error *error) {
     return true;
 }
 
+/* True if a wall may leave its place across a periodic direction: one without images there would not come back. */
+static bool crosses(const struct scene *scene, const struct wall_options *wall) {
+    bool crosses = false;
+    for (int d = 0; d < 3; d++) {
+        bool across = scene->box.periodic[d] && fabs(wall->axis[d]) <= rounding;
+        crosses =
+            crosses ||
+            (across && (wall->free.freedom == WALL_FREE_SHIFT || fabs(wall->free.direction[d]) > rounding));
+    }
+    return crosses;
+}
+
+/* What a shape without a middle may do. */
+static bool check_endless(const struct scene *scene, int w, struct error *error) {
+    const struct wall_options *wall = &scene->wall[w];
+    char key[80];
+    snprintf(key, sizeof(key), "walls[%d].free.freedom", w);
+    if (wall->shape == WALL_PLANE)
+        return wall->free.freedom == WALL_FREE_ALONG || wall->free.freedom == WALL_FREE_SHIFT ||
+               scene_fail(scene, error, key,
+                          "a plane has no middle about which it could turn; allowed: along, shift");
+    if (wall->shape != WALL_CYLINDER || wall->length > 0)
+        return true;
+    if (wall->free.freedom == WALL_FREE_ALL)
+        return scene_fail(
+            scene, error, key,
+            "an endless cylinder has no middle about which it could turn; allowed: along, shift, about, or "
+            "a length");
+    if (wall->free.freedom == WALL_FREE_ABOUT) {
+        snprintf(key, sizeof(key), "walls[%d].free.inertia", w);
+        return wall->free.inertia_given ||
+               scene_fail(scene, error, key, "is missing: none follows from an endless cylinder");
+    }
+    return !crosses(scene, wall) || scene_fail(scene, error, key,
+                                               "an endless cylinder cannot move across a periodic direction; "
+                                               "allowed: along another direction, "
+                                               "about, or a length");
+}
+
+/* What a free wall is given. */
+static bool check_free(const struct scene *scene, int w, struct error *error) {
+    const struct wall_options *wall = &scene->wall[w];
+    const struct wall_free_options *free = &wall->free;
+    bool turns = free->freedom == WALL_FREE_ALL || free->freedom == WALL_FREE_ABOUT;
+    char key[80];
+    snprintf(key, sizeof(key), "walls[%d].motion", w);
+    if (wall->motions > 0)
+        return scene_fail(scene, error, key,
+                          "a wall either moves by order or is free; take out motion or free");
+    snprintf(key, sizeof(key), "walls[%d].free.%s", w, isnan(free->density) ? "mass" : "density");
+    if (isnan(free->mass) == isnan(free->density))
+        return scene_fail(scene, error, key, "a free wall needs either a mass or a density");
+    snprintf(key, sizeof(key), "walls[%d].free.centre", w);
+    if (free->centre_given != 0 && free->centre_given != 3)
+        return scene_fail(scene, error, key, "needs three numbers");
+    if (free->centre_given && turns && !free->inertia_given)
+        return scene_fail(scene, error, key, "needs inertia, too: about this centre");
+    snprintf(key, sizeof(key), "walls[%d].free.inertia", w);
+    if (free->inertia_given != 0 && free->inertia_given != 6)
+        return scene_fail(scene, error, key, "needs six numbers: xx yy zz xy xz yz");
+    return check_endless(scene, w, error);
+}
+
+static bool check_all_free(const struct scene *scene, struct error *error) {
+    for (int w = 0; w < scene->walls; w++)
+        if (scene->wall[w].free.given && !check_free(scene, w, error))
+            return false;
+    return true;
+}
+
+static bool check_fields(const struct scene *scene, struct error *error) {
+    for (int w = 0; w < scene->walls; w++) {
+        const struct wall_options *wall = &scene->wall[w];
+        char key[80];
+        if (wall->shape != WALL_MESH)
+            continue;
+        snprintf(key, sizeof(key), "walls[%d].field_spacing", w);
+        if (!wall->field && !isnan(wall->field_spacing))
+            return scene_fail(scene, error, key, "is that of a field; needs field: true");
+        snprintf(key, sizeof(key), "walls[%d].field", w);
+        if (wall->field && scene->box.dimension == 2)
+            return scene_fail(scene, error, key, "needs three dimensions; allowed in two: false");
+    }
+    return true;
+}
+
 bool scene_check_walls(const struct scene *scene, struct error *error) {
-    return check_periodic(scene, error) && check_motions(scene, error);
+    return check_periodic(scene, error) && check_motions(scene, error) && check_all_free(scene, error) &&
+           check_fields(scene, error);
 }

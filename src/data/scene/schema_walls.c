@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
-/* Rows of the schema: walls and their motions. */
+/* Rows of the schema: walls, their motions, and what makes them free. */
 #include "data/scene/scene.h"
 #include "data/scene/schema_sections.h"
 
@@ -73,6 +73,53 @@ static const struct schema_row motion_rows[] = {
 };
 static const struct schema_table motion_table = TABLE(motion_rows);
 
+static const struct schema_name freedom_names[] = {
+    {"all", WALL_FREE_ALL, "moves in all directions, and turns"},
+    {"shift", WALL_FREE_SHIFT, "moves in all directions, without turning"},
+    {"along", WALL_FREE_ALONG, "moves along `direction` alone: a lid, a piston"},
+    {"about", WALL_FREE_ABOUT, "turns about an axis alone: a paddle, a door, a roller"},
+    {0}};
+
+static const struct schema_row free_rows[] = {
+    {.key = "freedom", .type = SCHEMA_NAME, .names = freedom_names, .fallback = "all", AT(struct wall_options, free.freedom),
+     .help = "how the wall may move", .example = "about"},
+    {.key = "mass", .type = SCHEMA_REAL, .unit = "kg", .range = "(0, inf)", AT(struct wall_options, free.mass),
+     .help = "mass of the wall; of a closed mesh, a box, or a cylinder with particles outside that of the solid, else of a thin sheet",
+     .example = "2 kg"},
+    {.key = "density", .type = SCHEMA_REAL, .unit = "kg/m3", .range = "(0, inf)", AT(struct wall_options, free.density),
+     .help = "instead of mass, of shapes that are solids", .example = "2400 kg/m3"},
+    {.key = "centre", .type = SCHEMA_REALS, .unit = "m", ARRAY_AT(struct wall_options, free.centre, free.centre_given),
+     .help = "centre of mass at rest; left out: by the shape; a wall that turns needs inertia, too", .example = "[0, 0, 1 cm]"},
+    {.key = "inertia", .type = SCHEMA_REALS, ARRAY_AT(struct wall_options, free.inertia, free.inertia_given),
+     .help = "moments of inertia about the centre of mass xx yy zz xy xz yz, in kg m2; left out: by the shape",
+     .example = "[2e-3, 2e-3, 1e-3, 0, 0, 0]"},
+    {.key = "direction", .type = SCHEMA_VECTOR, .when = "freedom=along|about", .required = true, AT(struct wall_options, free.direction),
+     .help = "the direction, or that of the axis; any length", .example = "[0, 0, 1]"},
+    {.key = "point", .type = SCHEMA_VECTOR, .unit = "m", .when = "freedom=about", .required = true, AT(struct wall_options, free.point),
+     .help = "a point of the axis", .example = "[0, 0, 0]"},
+    {.key = "velocity", .type = SCHEMA_VECTOR, .unit = "m/s", .fallback = "[0, 0, 0]", .when = "freedom=all|shift",
+     AT(struct wall_options, free.velocity), .help = "velocity of the centre of mass at the start"},
+    {.key = "angular_velocity", .type = SCHEMA_VECTOR, .unit = "rad/s", .fallback = "[0, 0, 0]", .when = "freedom=all",
+     AT(struct wall_options, free.omega), .help = "angular velocity at the start"},
+    {.key = "speed", .type = SCHEMA_REAL, .unit = "m/s", .fallback = "0", .when = "freedom=along", AT(struct wall_options, free.speed),
+     .help = "speed along direction at the start"},
+    {.key = "rate", .type = SCHEMA_REAL, .unit = "rad/s", .fallback = "0", .when = "freedom=about", AT(struct wall_options, free.speed),
+     .help = "angular velocity at the start, right-handed about direction"},
+    {.key = "force", .type = SCHEMA_REAL, .unit = "N", .fallback = "0", .when = "freedom=along", AT(struct wall_options, free.load),
+     .help = "force on the wall along direction, beside gravity and the particles"},
+    {.key = "torque", .type = SCHEMA_REAL, .unit = "N m", .fallback = "0", .when = "freedom=about", AT(struct wall_options, free.load),
+     .help = "torque on the wall about the axis, beside gravity and the particles"},
+    {.key = "spring", .type = SCHEMA_REAL, .unit = "N/m", .range = "[0, inf)", .fallback = "0", .when = "freedom=along",
+     AT(struct wall_options, free.spring), .help = "stiffness of a spring that pulls the wall back to where it became free"},
+    {.key = "spring", .type = SCHEMA_REAL, .unit = "N m/rad", .range = "[0, inf)", .fallback = "0", .when = "freedom=about",
+     AT(struct wall_options, free.spring), .help = "stiffness of a spring that turns the wall back to where it became free"},
+    {.key = "damper", .type = SCHEMA_REAL, .unit = "N s/m", .range = "[0, inf)", .fallback = "0", .when = "freedom=along",
+     AT(struct wall_options, free.damper), .help = "force against the speed, over the speed"},
+    {.key = "damper", .type = SCHEMA_REAL, .unit = "N m s/rad", .range = "[0, inf)", .fallback = "0", .when = "freedom=about",
+     AT(struct wall_options, free.damper), .help = "torque against the rate, over the rate"},
+};
+static const struct schema_table free_table = TABLE(free_rows);
+
 static const struct schema_name shape_names[] = {{"plane", WALL_PLANE, "infinite, one-sided"},
                                                  {"cylinder", WALL_CYLINDER, "around an axis, one-sided, with open ends if a length is given"},
                                                  {"mesh", WALL_MESH, "triangles from a file, two-sided, with corners in any order"},
@@ -143,8 +190,16 @@ static const struct schema_row wall_rows[] = {
      .help = "factor for lengths in the file: 0.001 for a mesh in millimetres"},
     {.key = "offset", .type = SCHEMA_VECTOR, .unit = "m", .fallback = "[0, 0, 0]", .when = "shape=mesh",
      AT(struct wall_options, offset), .help = "vector added to all corners, after scaling"},
+    {.key = "field", .type = SCHEMA_BOOL, .fallback = "false", .when = "shape=mesh", AT(struct wall_options, field),
+     .help = "true: the mesh, a closed surface, is felt by signed distances at the nodes of a grid near it: smooth over its facets, at a "
+             "cost that does not depend on their number, with one contact a grain; `scree check` tells the error. Three dimensions"},
+    {.key = "field_spacing", .type = SCHEMA_REAL, .unit = "m", .range = "(0, inf)", .when = "shape=mesh", AT(struct wall_options, field_spacing),
+     .help = "spacing of the nodes of a field; left out: a 128th of the longest side of the mesh", .example = "0.5 mm"},
     {.key = "motion", .type = SCHEMA_LIST, .sub = &motion_table,
      ARRAY_AT(struct wall_options, motion, motions),
-     .help = "motions, the first applied first; none: the wall is at rest"},
+     .help = "motions, the first applied first; none: the wall is at rest, or free"},
+    {.key = "free", .type = SCHEMA_SECTION, .sub = &free_table, .optional = true, .offset = 0,
+     .count_offset = offsetof(struct wall_options, free.given),
+     .help = "the wall is free: gravity and particles push, turn and carry it; other walls do not touch it"},
 };
 const struct schema_table schema_wall = TABLE(wall_rows);

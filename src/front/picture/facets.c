@@ -2,7 +2,7 @@
 /* Reads the orientations of rocks, and writes their faces. Read paint.h first. */
 #include "front/picture/paint.h"
 #include "base/memory.h"
-#include "physics/bodies/rotor.h"
+#include "base/rotor.h"
 #include "physics_table.h"
 #include <math.h>
 

@@ -130,13 +130,17 @@ static void include_walls(struct drawing *d, double time) {
     struct shapes shapes;
     struct error error = {0};
     double lower[3], upper[3], reach = 0;
-    if (!shapes_make(&shapes, d->source.scene, time, &error)) {
+    const struct shapes_moment moment = {time, d->source.walls, d->source.wall};
+    if (!shapes_make(&shapes, d->source.scene, &moment, &error)) {
         fprintf(stderr, "scree: walls are not drawn: %s\n", error.text);
         d->walls = false;
         return;
     }
     if (shapes.unknown && time > 0)
-        fprintf(stderr, "scree: a wall with a servo is drawn where the wall begins\n");
+        fprintf(
+            stderr,
+            "scree: a wall with a servo, and a free one, is drawn where the wall begins; a checkpoint knows "
+            "its place\n");
     for (int k = 0; k < 3; k++)
         reach = fmax(reach, 0.25 * (d->camera.upper[k] - d->camera.lower[k]));
     for (int k = 0; k < 3; k++) {
@@ -232,7 +236,8 @@ static bool write_scene(const struct drawing *d, const char *path, int64_t frame
                   : is_grey(d, &rows, k)        ? PAINT_GREY
                   : is_cut(d, rows.position[k]) ? PAINT_GREY - 1
                                                 : paint_band(&d->paint, value[k]);
-    bool walls = d->walls && shapes_make(&shapes, d->source.scene, rows.time, error);
+    const struct shapes_moment moment = {rows.time, d->source.walls, d->source.wall};
+    bool walls = d->walls && shapes_make(&shapes, d->source.scene, &moment, error);
     double lower[3], upper[3], border = 0;
     for (int k = 0; k < 3; k++)
         border = fmax(border, 0.02 * (d->camera.upper[k] - d->camera.lower[k]));

@@ -37,7 +37,7 @@ static bool find_file(struct source *source, const char *from, struct error *err
 }
 
 /* The text of the scene in a trajectory or checkpoint; NULL: none. */
-static char *read_scene(const struct source *source, enum info_kind kind, struct error *error) {
+static char *read_scene(struct source *source, enum info_kind kind, struct error *error) {
     static const char place[] = "/parameters/scene";
     char *text = NULL;
     struct h5 h5;
@@ -50,6 +50,9 @@ static char *read_scene(const struct source *source, enum info_kind kind, struct
     if (kind == INFO_CHECKPOINT && checkpoint_read_head(source->comm, source->path, &loaded, error)) {
         text = loaded.scene;
         loaded.scene = NULL;
+        source->walls = loaded.walls;
+        source->wall = loaded.wall;
+        loaded.wall = NULL;
         checkpoint_loaded_free(&loaded);
     }
     return text;
@@ -85,10 +88,13 @@ char *picture_source_scene(const struct comm *comm, const char *from, struct err
     enum info_kind kind;
     if (!find_file(&source, from, error) || !info_kind(source.path, &kind, error))
         return NULL;
-    return read_scene(&source, kind, error);
+    char *text = read_scene(&source, kind, error);
+    memory_free(source.wall);
+    return text;
 }
 
 void picture_source_close(struct source *source) {
+    memory_free(source->wall);
     if (source->scene)
         scene_free(&source->scene);
 }

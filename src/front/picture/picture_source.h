@@ -4,6 +4,7 @@
 #define SCREE_PICTURE_PICTURE_SOURCE_H
 
 #include "base/file.h"
+#include "data/formats/checkpoint_state.h"
 #include "data/formats/rows.h"
 #include "data/scene/scene.h"
 
@@ -15,6 +16,8 @@ struct source {
     bool h5md; /* any field of the file can be read */
     uint64_t frames;
     struct scene *scene; /* of the run; NULL: the file does not tell, or the scene cannot be read here */
+    int walls;
+    struct checkpoint_wall *wall; /* poses of walls, of a checkpoint; owned */
 };
 
 /* Finds the file to draw: `from` itself or, in a folder, trajectory.h5, else the newest checkpoint, else

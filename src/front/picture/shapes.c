@@ -43,8 +43,6 @@ static void add_wall(struct shapes *shapes, const struct walls *walls, int wall,
     const struct wall_options *o = walls_options(walls, wall);
     struct wall_pose pose;
     walls_pose(walls, wall, &pose);
-    for (int k = 0; k < o->motions; k++)
-        shapes->unknown = shapes->unknown || o->motion[k].kind == WALL_SERVO;
     if (wall_shape_meshed(o->shape)) {
         add_mesh(shapes, walls, wall);
     } else if (o->shape == WALL_PLANE) {
@@ -66,7 +64,41 @@ static void add_wall(struct shapes *shapes, const struct walls *walls, int wall,
     }
 }
 
-bool shapes_make(struct shapes *shapes, const struct scene *scene, double time, struct error *error) {
+/* Brings the walls to their places. */
+static void place_walls(struct walls *walls, const struct scene *scene, const struct shapes_moment *moment) {
+    struct wall_push push[WALLS_MAX] = {0};
+    if (moment->walls == 0 && walls_move(walls) && moment->time > 0)
+        walls_advance(walls, 0.0, moment->time, push);
+    for (int k = 0; k < moment->walls; k++) {
+        int wall = scene_wall(scene, moment->wall[k].name);
+        if (wall >= 0)
+            walls_set_pose(walls, wall, &moment->wall[k].pose);
+    }
+}
+
+/* The walls of a scene, without those things that need particles. */
+static bool make_walls(struct walls **walls, const struct scene *scene, const struct law *law,
+                       struct error *error) {
+    struct wall_options *option = memory_allocate((size_t)scene->walls, sizeof *option, "walls of a picture");
+    for (int w = 0; w < scene->walls; w++) {
+        option[w] = scene->wall[w];
+        option[w].free.given = 0;
+    }
+    bool good = walls_create(walls, option, scene->walls, law, &scene->box, 1, error, NULL);
+    memory_free(option);
+    return good;
+}
+
+/* True if particles move a wall. */
+static bool is_pushed(const struct wall_options *wall) {
+    bool pushed = wall->free.given != 0;
+    for (int k = 0; k < wall->motions; k++)
+        pushed = pushed || wall->motion[k].kind == WALL_SERVO;
+    return pushed;
+}
+
+bool shapes_make(struct shapes *shapes, const struct scene *scene, const struct shapes_moment *moment,
+                 struct error *error) {
     struct law law; /* walls ask it for nothing but the number of values of a history */
     struct law_options options = scene->law;
     struct walls *walls;
@@ -76,15 +108,15 @@ bool shapes_make(struct shapes *shapes, const struct scene *scene, double time, 
     options.synchronised = integrator_find(scene->integrator)->synchronised;
     if (!law_prepare(&law, &options, scene->materials, scene->material, scene->law_pair, error))
         return false;
-    if (!walls_create(&walls, scene->wall, scene->walls, &law, &scene->box, 1, error, NULL)) {
+    if (!make_walls(&walls, scene, &law, error)) {
         law_free(&law);
         return false;
     }
-    struct wall_push push[WALLS_MAX] = {0};
-    if (walls_move(walls) && time > 0)
-        walls_advance(walls, 0.0, time, push);
-    for (int wall = 0; wall < walls_count(walls); wall++)
+    place_walls(walls, scene, moment);
+    for (int wall = 0; wall < walls_count(walls); wall++) {
         add_wall(shapes, walls, wall, scene->box.origin);
+        shapes->unknown = shapes->unknown || (moment->walls == 0 && is_pushed(&scene->wall[wall]));
+    }
     walls_destroy(&walls);
     law_free(&law);
     return true;

@@ -3,6 +3,7 @@
 #ifndef SCREE_PICTURE_SHAPES_H
 #define SCREE_PICTURE_SHAPES_H
 
+#include "data/formats/checkpoint_state.h"
 #include "data/scene/scene.h"
 
 enum { SHAPE_CORNERS_MAX = 6 };
@@ -25,12 +26,20 @@ struct shapes {
     int planes, tubes;
     struct shape_plane plane[WALLS_MAX];
     struct shape_tube tube[WALLS_MAX];
-    bool unknown; /* a servo moves a wall: its place at `time` is not known */
+    bool unknown; /* particles move a wall (a servo, or a free one), whose place at `time` is not known */
 };
 
-/* Places the walls at a time; shapes_free releases. Walls that a servo drives stay where they begin. Fails as
+/* When, and the poses of walls then as a checkpoint tells them; 0 walls: they follow from the scene. */
+struct shapes_moment {
+    double time;
+    int walls;
+    const struct checkpoint_wall *wall;
+};
+
+/* Places the walls; shapes_free releases. Walls that particles move stay where they begin unless their pose is told. Fails as
  * walls_create. One thread. */
-bool shapes_make(struct shapes *shapes, const struct scene *scene, double time, struct error *error);
+bool shapes_make(struct shapes *shapes, const struct scene *scene, const struct shapes_moment *moment,
+                 struct error *error);
 void shapes_free(struct shapes *shapes);
 
 /* Cuts planes and endless tubes to a box: fills corners (0: the plane misses the box) and ends. */

@@ -3,6 +3,7 @@
 #include "front/program/commands.h"
 #include "front/program/check_parts.h"
 #include "base/lines.h"
+#include "physics/grains/walls/walls_free.h"
 #include "physics/grains/grains.h"
 #include "engine/skin_auto.h"
 #include "engine/tune.h"
@@ -16,7 +17,7 @@
 #include <stdio.h>
 #include <string.h>
 
-enum { LAYOUT_MOST = 1000000 };
+enum { LAYOUT_MOST = 1000000, NOTE_MAX = 256 };
 static void print_classes(const struct size_classes *classes) {
     printf("\nsize classes\n  %5s %12s %12s %12s %12s\n", "class", "radius from", "to", "particles", "skin");
     for (int c = 0; c < classes->count; c++)
@@ -211,15 +212,15 @@ static void print_extent(const char *what, const char *name, const struct extent
 }
 
 /* Writes what is to be said of wall w besides its extent. */
-static const char *wall_note(const struct wall_options *wall, const struct scene *scene,
-                             const struct extent *extent, char text[128]) {
-    snprintf(text, 128, "%s",
-             wall_shape_meshed(wall->shape) && grains_wall_apart(scene, extent)
-                 ? "  NOTE: wholly outside of the box"
-                 : "");
+static const char *wall_note(const struct walls *walls, int w, const struct scene *scene,
+                             const struct extent *extent, char text[NOTE_MAX]) {
+    const struct wall_options *wall = walls_options(walls, w);
+    walls_describe(walls, w, text, NOTE_MAX);
+    if (wall_shape_meshed(wall->shape) && grains_wall_apart(scene, extent))
+        snprintf(text, NOTE_MAX, "  NOTE: wholly outside of the box");
     for (int m = 0; m < wall->motions; m++)
         if (wall->motion[m].kind == WALL_SERVO && wall->motion[m].pressure > 0)
-            snprintf(text, 128, "  pressure %.4g x area %.4g = force %.4g", wall->motion[m].pressure,
+            snprintf(text, NOTE_MAX, "  pressure %.4g x area %.4g = force %.4g", wall->motion[m].pressure,
                      wall->motion[m].area, wall->motion[m].force);
     return text;
 }
@@ -231,7 +232,7 @@ static void print_extents(const struct scene *scene, const struct grains *grains
                                          [WALL_BOX] = "box",     [WALL_DISC] = "disc",
                                          [WALL_CONE] = "cone"};
     struct extent box;
-    char note[128] = "";
+    char note[NOTE_MAX] = "";
     memcpy(box.lower, scene->box_lower, sizeof box.lower);
     memcpy(box.upper, scene->box_upper, sizeof box.upper);
     printf("\nwhere it is\n  %-24s  %-27s  %-27s  %s\n", "", "x from ... to", "y from ... to",
@@ -245,7 +246,7 @@ static void print_extents(const struct scene *scene, const struct grains *grains
         const struct wall_options *wall = &scene->wall[w];
         struct extent extent = grains_wall_extent(grains, scene, w);
         print_extent(shapes[wall->shape], wall->name, &extent,
-                     wall_note(walls_options(grains->walls, w), scene, &extent, note));
+                     wall_note(grains->walls, w, scene, &extent, note));
     }
 }
 

@@ -3,7 +3,7 @@
 #include "physics/bodies/bodies_links.h"
 #include "physics/grains/grains.h"
 #include "physics/bodies/bodies_fields.h"
-#include "physics/bodies/rotor.h"
+#include "base/rotor.h"
 #include "base/memory.h"
 #include "kernel/particles/groups.h"
 #include "kernel/particles/kinds.h"

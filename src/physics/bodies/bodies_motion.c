@@ -3,7 +3,7 @@
 #include "physics/bodies/bodies_parts.h"
 #include "physics/bodies/bodies_fields.h"
 #include "physics/bodies/bodies_links.h"
-#include "physics/bodies/rotor.h"
+#include "base/rotor.h"
 #include "kernel/particles/spin.h"
 #include <string.h>
 

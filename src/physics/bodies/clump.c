@@ -3,7 +3,7 @@
  * first. */
 #include "physics/bodies/clump.h"
 #include "physics/bodies/inscribe.h"
-#include "physics/bodies/rotor.h"
+#include "base/rotor.h"
 #include "base/eigen3.h"
 #include "base/memory.h"
 #include "base/numbers.h"

@@ -4,7 +4,7 @@
 #ifndef SCREE_BODIES_CLUMP_H
 #define SCREE_BODIES_CLUMP_H
 
-#include "physics/bodies/moments.h"
+#include "base/moments.h"
 #include "physics/bodies/shapes/solid.h"
 #include "data/scene/scene.h"
 

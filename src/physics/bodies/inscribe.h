@@ -3,7 +3,7 @@
 #ifndef SCREE_BODIES_INSCRIBE_H
 #define SCREE_BODIES_INSCRIBE_H
 
-#include "physics/bodies/moments.h"
+#include "base/moments.h"
 #include "base/error.h"
 
 /* What to fill, and how. */

@@ -5,7 +5,7 @@
 #include "physics/grains/grains.h"
 #include "physics/bodies/bodies_fields.h"
 #include "physics/bodies/rocks.h"
-#include "physics/bodies/rotor.h"
+#include "base/rotor.h"
 #include "kernel/particles/material.h"
 #include "kernel/particles/spin.h"
 #include "base/random.h"

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* From corners, a file or a draw to a rock. Read rock.h first. */
 #include "physics/bodies/rock.h"
-#include "physics/bodies/rotor.h"
+#include "base/rotor.h"
 #include "physics/bodies/shapes/stiff.h"
 #include "physics/grains/walls/mesh.h"
 #include "physics/grains/walls/wall_inside.h"

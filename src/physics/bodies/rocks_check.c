@@ -2,6 +2,7 @@
 /* What rocks do not go with, each with one message. Read rocks.h first. */
 #include "physics/bodies/rocks.h"
 #include "physics/grains/grains.h"
+#include <stdio.h>
 
 /* Laws that know spheres alone. */
 static bool check_law(const struct physics_context *context, struct error *error) {
@@ -39,5 +40,13 @@ bool rocks_check(const struct physics_context *context, struct error *error) {
     if (output_interval_set(&scene->output.walls.every))
         return scene_fail(scene, error, "output.walls",
                           "the loads on walls know none of rocks (bodies.shapes): not built yet");
+    for (int w = 0; w < scene->walls; w++)
+        if (scene->wall[w].shape == WALL_MESH && scene->wall[w].field) {
+            char key[64];
+            snprintf(key, sizeof key, "walls[%d].field", w);
+            return scene_fail(
+                scene, error, key,
+                "rocks (bodies.shapes) feel edges of a wall, which a field does not have; allowed: false");
+        }
     return check_law(context, error);
 }

@@ -5,8 +5,9 @@
 #include "engine/physics_set.h"
 #include "kernel/particles/material.h"
 #include "kernel/particles/spin.h"
-#include "physics/bodies/rotor.h"
+#include "base/rotor.h"
 #include "physics/grains/grains.h"
+#include "physics/grains/walls/walls_free.h"
 #include <math.h>
 #include <string.h>
 
@@ -92,7 +93,7 @@ bool rocks_ends_make(const struct rocks_scene *scene, const struct rocks_pair *p
     ends->mass = inverse > 0 ? 1 / inverse : 0;
     ends->coefficients = law_pair_of(scene->law, material[0], material[1]);
     ends->extra = scene->law->options.user ? law_extra_of(scene->law, material[0], material[1]) : NULL;
-    return inverse > 0;
+    return inverse > 0 || (pair->wall >= 0 && walls_is_free(scene->walls, pair->wall));
 }
 
 /* Brings groups together, in their order. */

@@ -2,7 +2,8 @@
 /* The contacts of rocks in a step: points, the law at each point, forces and torques. Read rocks.h first. */
 #include "physics/bodies/rocks_ends.h"
 #include "base/vector.h"
-#include "physics/bodies/rotor.h"
+#include "base/rotor.h"
+#include "physics/grains/walls/walls_free.h"
 #include "physics/grains/grains.h"
 #include <math.h>
 #include <string.h>
@@ -68,6 +69,15 @@ static void surface_velocity(const struct rocks_scene *scene, uint32_t i, const 
         velocity[d] += scene->particles->state[i].v[d];
 }
 
+/* The effective mass at a point, for dampers: a free wall gives way. */
+static double mass_at(const struct rocks_scene *scene, const struct rocks_pair *pair,
+                      const struct rocks_ends *ends, const double at[3], const double along[3]) {
+    if (pair->wall < 0 || !walls_is_free(scene->walls, pair->wall))
+        return ends->mass;
+    double inverse = (ends->mass > 0 ? 1 / ends->mass : 0) + walls_yield(scene->walls, pair->wall, at, along);
+    return inverse > 0 ? 1 / inverse : 0;
+}
+
 /* The input of the law at a point; `arm`: from both centres. */
 static struct law_contact contact_of(const struct rocks_scene *scene, const struct rocks_pair *pair,
                                      const struct rocks_ends *ends, const struct touch *touch, int k,
@@ -90,7 +100,7 @@ static struct law_contact contact_of(const struct rocks_scene *scene, const stru
         memcpy(spin, scene->omega[pair->end[1]], sizeof spin);
     }
     struct law_contact in = {.overlap = touch->overlap,
-                             .mass = ends->mass,
+                             .mass = mass_at(scene, pair, ends, at, inward),
                              .radius = ends->radius,
                              .normal = vector(point->normal),
                              .velocity = law_add(vector(second), -1, vector(first)),
@@ -268,7 +278,8 @@ static void forces_add(const struct rocks *rocks, const struct particles *p) {
     }
 }
 
-/* The force of a rock on a wall acts where its torque says: at an arm across the force. */
+/* The force of a rock on a wall acts where its torque says: at an arm across the force. The torque along the force, which no
+ * arm has, goes with it. */
 static void wall_push(const struct rocks_scene *scene, struct walls *walls, const struct rocks_pair *pair) {
     double square = vector_dot(pair->force, pair->force), arm[3], shift[3];
     struct wall_place place = {.wall = pair->wall};
@@ -278,6 +289,7 @@ static void wall_push(const struct rocks_scene *scene, struct walls *walls, cons
     walls_group_shift(walls, &pair->group, shift);
     for (int d = 0; d < 3; d++) {
         place.normal[d] = pair->normal[d];
+        place.torque[d] = -vector_dot(pair->torque[0], pair->force) / square * pair->force[d];
         place.at[d] = scene->particles->state[pair->end[0]].x[d] - shift[d] - arm[d] / square;
     }
     walls_push(walls, 0, &place, pair->force, pair->sums.impedance);

@@ -90,6 +90,8 @@ double rocks_stiffest(const struct bodies *bodies, const struct physics_context 
         const struct rocks_pair *pair = &rocks->pair[k];
         struct rocks_scene scene = {.particles = context->particles, .list = grains_list(context)};
         double sum = stability->local[pair->end[0]], apart[3];
+        if (pair->wall >= 0 && stability->wall)
+            sum += stability->wall[pair->wall];
         if (pair->wall < 0) {
             const struct particle_state *a = &scene.particles->state[pair->end[0]],
                                         *b = &scene.particles->state[pair->end[1]];

@@ -4,6 +4,7 @@
 #include "physics/grains/grains_own.h"
 #include "engine/report_part.h"
 #include "engine/physics_set.h"
+#include "physics/grains/walls/walls_free.h"
 #include "kernel/pairs/skin.h"
 #include "kernel/pairs/walk.h"
 #include "kernel/particles/kinds.h"
@@ -11,16 +12,23 @@
 #include <math.h>
 #include <string.h>
 
-static void servo(const struct physics_context *context) {
+/* Sums over ranks what the particles do to the walls that follow them. */
+static void push_sum(const struct physics_context *context) {
     struct grains *grains = context->self;
     double part[WALLS_MAX][6];
     walls_forces(grains->walls, part);
-    static_assert(sizeof grains->push[0] == 4 * sizeof(double), "doubles alone are summed");
+    static_assert(sizeof grains->push[0] == 7 * sizeof(double), "doubles alone are summed");
     for (int w = 0; w < walls_count(grains->walls); w++) {
         memcpy(grains->push[w].force, part[w], sizeof grains->push[w].force);
+        memcpy(grains->push[w].torque, part[w] + 3, sizeof grains->push[w].torque);
         grains->push[w].impedance = *walls_impedance(grains->walls, w);
     }
-    comm_sum(context->comm, grains->push[0].force, 4 * walls_count(grains->walls));
+    comm_sum(context->comm, grains->push[0].force, 7 * walls_count(grains->walls));
+}
+
+static void servo(const struct physics_context *context) {
+    struct grains *grains = context->self;
+    push_sum(context);
     for (int w = 0; w < walls_count(grains->walls); w++) {
         const double *f = grains->push[w].force;
         if (f[0] != 0 || f[1] != 0 || f[2] != 0)
@@ -52,7 +60,8 @@ static void move_walls(const struct physics_context *context) {
     struct grains *grains = context->self;
     const struct clock *clock = context->clock;
     double before = clock_time(clock, clock->step - 1);
-    walls_advance(grains->walls, before, clock->dt, walls_have_servo(grains->walls) ? grains->push : NULL);
+    walls_advance(grains->walls, before, clock->dt,
+                  walls_follow_particles(grains->walls) ? grains->push : NULL);
 }
 
 static void contact(const struct physics_context *context, int thread, int block) {
@@ -101,7 +110,7 @@ static bool needs_contacts(const struct physics_context *context) {
 
 static bool needs_servo(const struct physics_context *context) {
     const struct grains *grains = context->self;
-    return grains_touch(context) && grains->walls && walls_have_servo(grains->walls);
+    return grains_touch(context) && grains->walls && walls_follow_particles(grains->walls);
 }
 
 static bool needs_walls(const struct physics_context *context) {
@@ -115,7 +124,7 @@ static bool needs_motion(const struct physics_context *context) {
 
 static const struct physics_pass passes[] = {
     {.name = "servo",
-     .why = "a wall driven to a force or a pressure",
+     .why = "a wall that is free, or driven to a force or a pressure",
      .place = PASS_FIRST,
      .timer = "comm",
      .needed = needs_servo,
@@ -227,6 +236,10 @@ static void restart(const struct physics_context *context, struct restart *list)
         double *power = walls_surface_power(grains->walls, w);
         if (power)
             restart_add(list, RESTART_SUM, true, power, "surface %s", context->scene->wall[w].name);
+        double *number;
+        int numbers = walls_free_numbers(grains->walls, w, &number);
+        for (int k = 0; k < numbers; k++)
+            restart_add(list, RESTART_REAL, true, &number[k], "free %d %s", k, context->scene->wall[w].name);
     }
 }
 
@@ -252,6 +265,27 @@ static void stagger(const struct physics_context *context, double dt) {
     for (size_t t = 0; t < threads; t++)
         integrator_stagger(context->particles, &motion, all.first + count * t / threads,
                            all.first + count * (t + 1) / threads);
+    if (grains->walls && walls_have_free(grains->walls)) {
+        push_sum(context);
+        walls_stagger(grains->walls, grains->push, dt);
+    }
+}
+
+/* Free walls at the full step. */
+static void full_step(const struct physics_context *context) {
+    struct grains *grains = context->self;
+    if (grains->walls == NULL || !walls_have_free(grains->walls))
+        return;
+    push_sum(context);
+    walls_full_step(grains->walls, grains->push, grains->motion.dt);
+}
+
+/* Free walls, which each rank knows. */
+static void energy(const struct physics_context *context, struct physics_energy *energy) {
+    const struct grains *grains = context->self;
+    if (grains->walls && context->comm->rank == 0)
+        *energy =
+            (struct physics_energy){.held = walls_energy(grains->walls), .taken = walls_taken(grains->walls)};
 }
 
 static void begin(const struct physics_context *context) {
@@ -328,7 +362,7 @@ static const struct physics_mover mover = {.prepare = prepare,
                                            .energies = grains_energies,
                                            .history = history};
 static const struct physics_shown shown = {
-    .view = view, .report = report, .notes = grains_notes, .seen = grains_notes_seen};
+    .full_step = full_step, .view = view, .report = report, .notes = grains_notes, .seen = grains_notes_seen};
 
 static const struct physics_search search = {
     .interactions = 1, .interaction = {{.name = "contact", .range = range}}, .rests = rests};
@@ -342,6 +376,7 @@ const struct physics grains_physics = {.name = "grains",
                                        .destroy = start_end,
                                        .rebuilt = rebuilt,
                                        .guard = grains_guard,
+                                       .energy = energy,
                                        .restart = restart,
                                        .shown = &shown,
                                        .mover = &mover,

@@ -6,6 +6,7 @@
 #include "kernel/particles/spin.h"
 #include "base/memory.h"
 #include "physics/grains/motion/stability.h"
+#include "physics/grains/walls/walls_free.h"
 #include "kernel/particles/fields.h"
 #include <math.h>
 #include <string.h>
@@ -63,6 +64,11 @@ static void walls_give(const struct physics_context *context, struct stability *
         material[w] = walls_options(grains->walls, w)->material;
     stability_walls(stability, &grains->contact, contacts, count, material);
     memory_free(contacts);
+    if (!walls_have_free(grains->walls))
+        return;
+    for (int t = 0; t < context->threads; t++)
+        stability_free_walls(stability, &grains->contact, grains->walls, t);
+    comm_sum(context->comm, stability->wall, stability->walls);
 }
 
 /* Members of bodies that turn more easily than their spheres do. */

@@ -3,6 +3,7 @@
  * are limit.c's. Read grains.h first. */
 #include "physics/grains/grains_own.h"
 #include "physics/grains/sorts.h"
+#include "physics/grains/walls/walls_free.h"
 #include "base/memory.h"
 #include <math.h>
 #include <stdio.h>
@@ -28,7 +29,7 @@ static void limits_find(const struct physics_context *c, const struct sorts *sor
     if (grains_solved(c))
         return;
     struct timestep_kind *kind =
-        memory_allocate(SORTS_MAX + LAW_MATERIALS_MAX, sizeof *kind, "sorts of grains");
+        memory_allocate(SORTS_MAX + LAW_MATERIALS_MAX + WALLS_MAX, sizeof *kind, "sorts of grains");
     int n = 0;
     for (int k = 0; k < SORTS_MAX; k++)
         if (sorts->radius_max[k] > 0) {
@@ -42,6 +43,13 @@ static void limits_find(const struct physics_context *c, const struct sorts *sor
     for (int m = 0; m < c->scene->materials; m++)
         if (sorts->fixed[m] > 0)
             kind[n++] = (struct timestep_kind){.material = m, .wall = true};
+    for (int w = 0; grains->walls && w < walls_count(grains->walls); w++)
+        if (walls_is_free(grains->walls, w))
+            kind[n++] = (struct timestep_kind){.material = c->scene->wall[w].material,
+                                               .wall = true,
+                                               .yield = {walls_yield_most(grains->walls, w),
+                                                         walls_yield_spread(grains->walls, w),
+                                                         walls_whole_area(grains->walls, w)}};
     timestep_limits(&grains->stable.limits, &(struct timestep_input){.law = &grains->law,
                                                                      .kinds = n,
                                                                      .kind = kind,

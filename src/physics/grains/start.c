@@ -2,6 +2,7 @@
 /* Makes the parts of grains that do not depend on the particles: law, walls, force loop. Read grains.h first. */
 #include "physics/grains/grains_own.h"
 #include "physics/grains/laws/law_user.h"
+#include "physics/grains/walls/walls_free.h"
 #include "base/memory.h"
 #include "kernel/pairs/walk.h"
 #include <assert.h>
@@ -54,6 +55,8 @@ static bool make_walls(const struct physics_context *context, struct error *erro
     FILE *notes = context->comm->rank == 0 ? open_memstream(&said, &length) : NULL;
     bool good = walls_create(&grains->walls, scene->wall, scene->walls, &grains->law, context->box,
                              context->threads, error, notes);
+    if (good)
+        walls_set_gravity(grains->walls, scene->gravity);
     if (notes) {
         fclose(notes);
         log_text(context->log, said);

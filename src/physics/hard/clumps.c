@@ -5,7 +5,7 @@
 #include "physics/bodies/bodies_fields.h"
 #include "physics/bodies/bodies_links.h"
 #include "physics/bodies/bodies_parts.h"
-#include "physics/bodies/rotor.h"
+#include "base/rotor.h"
 #include <string.h>
 
 void hard_clumps_free(struct hard_clumps *clumps) {

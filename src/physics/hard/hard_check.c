@@ -154,6 +154,12 @@ bool hard_check(const struct physics_context *context, struct error *error) {
             return scene_fail(scene, error, physics_key((enum physics_number)k), with,
                               "bodies, fluid, and physics that only look at grains");
     for (int w = 0; w < scene->walls; w++)
+        if (scene->wall[w].free.given) {
+            char key[64];
+            snprintf(key, sizeof key, "walls[%d].free", w);
+            return scene_fail(scene, error, key, with, "walls at rest, motions by order");
+        }
+    for (int w = 0; w < scene->walls; w++)
         for (int m = 0; m < scene->wall[w].motions; m++)
             if (scene->wall[w].motion[m].kind == WALL_SERVO) {
                 char key[64];

@@ -3,8 +3,8 @@
  * forms, sums that no order changes. */
 #include "tests/test.h"
 
-#include "physics/bodies/moments.h"
-#include "physics/bodies/rotor.h"
+#include "base/moments.h"
+#include "base/rotor.h"
 #include "physics/bodies/sums.h"
 #include "base/eigen3.h"
 #include "base/random.h"

@@ -3,7 +3,7 @@
 #include "tests/test.h"
 
 #include "physics/bodies/clump.h"
-#include "physics/bodies/rotor.h"
+#include "base/rotor.h"
 #include <math.h>
 #include <string.h>
 #include "tests/near.h"

@@ -3,7 +3,7 @@
 #include "physics/bodies/shapes/solid.h"
 #include "base/vector.h"
 #include "physics/bodies/shapes/convex.h"
-#include "physics/bodies/rotor.h"
+#include "base/rotor.h"
 #include "base/memory.h"
 #include <math.h>
 #include <string.h>

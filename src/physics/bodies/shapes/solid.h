@@ -3,7 +3,7 @@
 #ifndef SCREE_SHAPES_SOLID_H
 #define SCREE_SHAPES_SOLID_H
 
-#include "physics/bodies/moments.h"
+#include "base/moments.h"
 #include "base/error.h"
 
 enum {

@@ -4,7 +4,7 @@
 #include "base/eigen3.h"
 #include "base/eigen6.h"
 #include "base/vector.h"
-#include "physics/bodies/rotor.h"
+#include "base/rotor.h"
 #include "physics/bodies/shapes/touch.h"
 #include <math.h>
 #include <string.h>

@@ -7,7 +7,7 @@
 #include "physics/bodies/bodies_fields.h"
 #include "physics/bodies/bodies_links.h"
 #include "physics/bodies/bodies_parts.h"
-#include "physics/bodies/rotor.h"
+#include "base/rotor.h"
 #include "physics/fluid/coupling/grain_coupling.h"
 #include <math.h>
 #include <string.h>

@@ -195,6 +195,13 @@ static bool walls_suit(const struct physics_context *context, struct error *erro
         const struct wall_options *wall = &context->scene->wall[w];
         size_t open = walls_open_edges(grains_walls(context), w);
         char key[64];
+        snprintf(key, sizeof key, "walls[%d].free", w);
+        if (wall->free.given)
+            return scene_fail(
+                context->scene, error, key,
+                "wall '%s' is free, which no wall beside `fluid` may be: the fluid does not follow it; "
+                "allowed: walls at rest, and surfaces that move",
+                wall->name);
         snprintf(key, sizeof key, "walls[%d].file", w);
         if (open > 0)
             return scene_fail(

@@ -6,6 +6,7 @@
 #include "base/eigen3.h"
 #include "base/memory.h"
 #include "physics/grains/motion/timestep.h"
+#include "physics/grains/walls/walls_free.h"
 #include <math.h>
 
 void stability_create(struct stability *s, const struct force_context *context, double step) {
@@ -20,6 +21,7 @@ void stability_create(struct stability *s, const struct force_context *context, 
 void stability_free(struct stability *s) {
     memory_free(s->sum);
     memory_free(s->local);
+    memory_free(s->wall);
     *s = (struct stability){0};
 }
 
@@ -166,6 +168,41 @@ void stability_walls(struct stability *s, const struct force_context *context,
     }
 }
 
+/* What the visit of walls needs. */
+struct wall_sums {
+    struct stability *stability;
+    const struct force_context *context;
+    const struct walls *walls;
+};
+
+static void add_to_wall(void *sums, const struct wall_place *place) {
+    const struct wall_sums *of = sums;
+    const struct particles *p = of->context->particles;
+    const struct particle_state *state = &p->state[place->particle];
+    struct stability_contact contact = {0};
+    double yield = walls_yield_worst(of->walls, place->wall, place->at),
+           inverse = state->inverse_mass + yield;
+    if (!(yield > 0.0))
+        return;
+    struct timestep_springs springs = timestep_springs(
+        of->context->law, material_of(material_numbers(p), place->particle),
+        walls_options(of->walls, place->wall)->material, 1.0 / inverse, state->radius, -place->gap);
+    stiffen(of->stability, &springs, &contact);
+    double turn = walls_turn_yield(of->walls, place->wall) *
+                  (state->radius * state->radius * contact.roll + contact.twist);
+    of->stability->wall[place->wall] += rounded(yield * fmax(contact.push, contact.turn) + turn);
+}
+
+void stability_free_walls(struct stability *s, const struct force_context *context, const struct walls *walls,
+                          int thread) {
+    struct wall_sums sums = {s, context, walls};
+    if (s->wall == NULL) {
+        s->walls = walls_count(walls);
+        s->wall = memory_allocate_zero((size_t)s->walls, sizeof *s->wall, "stability of contacts");
+    }
+    walls_visit(walls, context->particles, thread, context->range, add_to_wall, &sums);
+}
+
 double stability_eigenvalue(const double *sum, int sums) {
     double push = eigen3_largest(sum);
     if (sums == STABILITY_PUSH)
@@ -198,11 +235,14 @@ static double thread_worst(const struct stability *s, const struct force_context
 
 double stability_worst(const struct stability *s, const struct force_context *context) {
     const struct pairlist *list = context->list;
-    double most = 0.0;
+    double most = 0.0, wall = 0.0;
 #pragma omp parallel for schedule(static, 1) reduction(max : most)
     for (int t = 0; t < list->threads; t++)
         most = fmax(most, thread_worst(s, context, t));
-    for (size_t k = 0; k < context->particles->owned; k++) /* contacts with walls: a wall has no L */
-        most = fmax(most, s->local[k]);
+    for (int w = 0; w < s->walls; w++)
+        wall = fmax(wall, s->wall[w]);
+    for (size_t k = 0; k < context->particles->owned;
+         k++) /* contacts with walls: one that is not free has no L */
+        most = fmax(most, s->local[k] + wall);
     return most;
 }

@@ -20,6 +20,7 @@
 #define SCREE_MOTION_STABILITY_H
 
 #include "physics/grains/batch/force.h"
+#include "physics/grains/walls/wall.h"
 
 /* Over mass and inertia: the tensor of displacements xx yy zz xy xz yz; with spin that of rotations, and the
  * vector that couples both. */
@@ -31,6 +32,8 @@ struct stability {
     int sums;      /* numbers a particle: STABILITY_SUMS, or STABILITY_PUSH without spin */
     double *sum;   /* the sums, without unit */
     double *local; /* L of each particle, without unit */
+    int walls;
+    double *wall; /* L of each free wall, without unit; 0 of other walls */
 };
 
 /* One spring between two particles as both see it. */
@@ -63,11 +66,17 @@ void stability_pairs(struct stability *stability, const struct force_context *co
 void stability_walls(struct stability *stability, const struct force_context *context,
                      const struct force_contact *contacts, size_t count, const int *material);
 
+/* Adds to L of free walls the contacts of thread `thread`'s share of the particles near walls, this rank's part. The sum over
+ * the contacts, each with its stiffest spring and the largest inverse mass of the wall at its place, is no less than the
+ * largest eigenvalue of all springs on the wall. One thread, thread after thread. */
+void stability_free_walls(struct stability *stability, const struct force_context *context,
+                          const struct walls *walls, int thread);
+
 /* Fills `local` of the owned particles from their sums. Opens its own team. */
 void stability_solve(struct stability *stability, const struct particles *particles);
 
-/* The largest L_i + L_j of two of this rank's particles that touch, and L of one that touches a wall; 0
- * without contacts. The step is stable if no rank's is above 4. Opens its own team. */
+/* The largest L_i + L_j of two of this rank's particles that touch, and L of one that touches a wall plus that of any free
+ * wall; 0 without contacts. The step is stable if no rank's is above 4. Opens its own team. */
 double stability_worst(const struct stability *stability, const struct force_context *context);
 
 /* Bounds the largest eigenvalue of [[T, X], [X^T, R]], T and R symmetric (xx yy zz xy xz yz), X the cross

@@ -120,6 +120,15 @@ static double timestep_local(int dimension, double n, double k_n, double k_t, do
     return fmax(fmin(n, 3.0) * single, fmax(push, across * turn * (k_t + k_r)));
 }
 
+/* The inverse mass of a free wall against all spheres of a radius that can lie on it, densely packed: modes of pushing and of
+ * turning do not add up where contacts are spread evenly. */
+static double timestep_yield_of(const struct timestep_input *input, const struct timestep_yield *yield,
+                                double radius) {
+    double count = input->dimension == 2 ? yield->area / (2.0 * radius)
+                                         : yield->area / (2.0 * sqrt(3.0) * radius * radius);
+    return fmax(yield->one, count * yield->all);
+}
+
 /* The local stiffness and damper of `a` among the like of b, compared with the largest so far. */
 static void timestep_surround(const struct timestep_input *input, struct timestep_side *a,
                               const struct timestep_side *b, const struct timestep_meeting *meeting) {
@@ -128,6 +137,12 @@ static void timestep_surround(const struct timestep_input *input, struct timeste
            square = a->radius * a->radius;
     if (a->inverse_mass == 0.0)
         return;
+    if (a->kind->wall) {
+        double yield = timestep_yield_of(input, &a->kind->yield, b->radius);
+        a->stiffness = fmax(a->stiffness, yield * fmax(s->k_n, s->k_t));
+        a->damping = fmax(a->damping, yield * fmax(s->c_n, s->c_t));
+        return;
+    }
     const double ease = a->kind->body.ease, *seat = a->kind->body.seat;
     double stiffness =
         timestep_local(input->dimension, n, s->k_n, s->k_t, s->k_r * share * share + s->k_w / square);
@@ -155,8 +170,11 @@ static int timestep_sides(const struct timestep_input *input, struct timestep_si
         const double radius[2] = {kind->radius_min, kind->radius_max};
         int ends = kind->wall || !(kind->radius_max > kind->radius_min) ? 1 : 2;
         for (int e = 0; e < ends; e++) {
-            struct timestep_side s = {
-                .kind = kind, .radius = INFINITY, .curved = INFINITY, .stable = INFINITY};
+            struct timestep_side s = {.kind = kind,
+                                      .radius = INFINITY,
+                                      .curved = INFINITY,
+                                      .inverse_mass = kind->wall ? kind->yield.one : 0.0,
+                                      .stable = INFINITY};
             double relative = radius[e] / kind->radius_min;
             if (!kind->wall) {
                 s.radius = radius[e];
@@ -191,7 +209,7 @@ static double timestep_rayleigh(const struct law_material *m, double radius, dou
 }
 
 static bool timestep_meets(const struct timestep_side *a, const struct timestep_side *b) {
-    return a->inverse_mass + b->inverse_mass > 0.0;
+    return a->inverse_mass + b->inverse_mass > 0.0 && !(a->kind->wall && b->kind->wall);
 }
 
 void timestep_limits(struct timestep_limits *limits, const struct timestep_input *input) {

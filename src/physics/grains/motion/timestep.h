@@ -29,15 +29,24 @@ struct timestep_body {
 /* That of a sphere. */
 #define TIMESTEP_SPHERE ((struct timestep_body){1, 1, {0, 0, 0}})
 
+/* How a free wall gives way: zeros of other walls. */
+struct timestep_yield {
+    double one; /* the largest inverse mass against a push at one place */
+    double all; /* inverse mass against pushes that are spread over the wall, over their number */
+    double
+        area; /* of its surface, both sides of a sheet; in two dimensions a length. 0: one contact at a time */
+};
+
 /* One kind of particle present: its material and the range of radii; or a wall (or prescribed particles),
- * which have no mass to move and no radius that counts. */
+ * which has no radius that counts, and no mass to move unless it is free. */
 struct timestep_kind {
     int material;
-    bool wall;                     /* true: the other members are not read */
+    bool wall;                     /* true: of the other members only `yield` is read */
     double radius_min, radius_max; /* of free particles of this material, length */
     double mass_min;               /* of the smallest; others scale with radius^3: where densities differ, the
                                       least density x its volume */
     struct timestep_body body;     /* the worst of its particles */
+    struct timestep_yield yield;   /* of a wall */
 };
 
 struct timestep_input {

@@ -27,95 +27,16 @@
 #define SCREE_WALLS_WALL_H
 
 #include "physics/grains/batch/force.h"
+#include "physics/grains/walls/wall_options.h"
 #include "physics/grains/laws/law.h"
 #include "kernel/pairs/history_rows.h"
 #include "kernel/particles/particles.h"
 #include <stdio.h>
 
-/* Walls at most: a piece of a wall keeps the number of its wall in a byte. */
-enum { WALLS_MAX = 255, WALL_NAME_MAX = 64, WALL_PATH_MAX = 1024, WALL_MOTIONS_MAX = 8 };
-
-enum wall_shape {
-    WALL_PLANE,
-    WALL_CYLINDER,
-    WALL_MESH,
-    WALL_RECTANGLE, /* from here on: triangles made by mesh_shape_make */
-    WALL_BOX,
-    WALL_DISC,
-    WALL_CONE
-};
-
-/* True of the shapes that are surfaces of triangles. */
-static inline bool wall_shape_meshed(enum wall_shape shape) {
-    return shape >= WALL_MESH;
-}
-
-enum wall_motion_kind {
-    WALL_TRANSLATE,          /* velocity */
-    WALL_ROTATE,             /* angular velocity about a point and axis */
-    WALL_OSCILLATE,          /* amplitude x sin(2 pi f t + phase) along a direction */
-    WALL_OSCILLATE_ROTATION, /* angle amplitude about a point and axis */
-    WALL_TABLE, /* pose against time from a file: t x y z angle_x angle_y angle_z (rotation vector), linear
-                   between rows */
-    WALL_SERVO /* along a direction, so that the force on the wall along it becomes `force`, or `pressure` times
-                   the area; motions behind it turn the direction */
-};
-
-/* One motion. Outside of start ... stop it rests where it was last: displacement and angle are functions of
- * the time, cut to that span. Several motions of a wall are applied one after another, the first one first:
- * rotate, then translate turns the wall about an axis that travels; translate, then rotate about a fixed one.
- *
- * A motion of the surface gives the surface a velocity beside that of the wall. A contact takes the part of it that is
- * at right angles to the contact's normal. Motions of the wall behind it turn and carry it, as those before it do not. */
-struct wall_motion {
-    enum wall_motion_kind kind;
-    bool surface; /* the surface alone moves, within itself, as a belt does: the wall stays. Not a servo */
-    double start, stop;      /* active while start <= t < stop; time */
-    double direction[3];     /* axis or direction, any length but 0 */
-    double point[3];         /* a point of the axis (TABLE: of all axes), user's coordinates */
-    double velocity[3];      /* TRANSLATE, length/time */
-    double rate;             /* ROTATE: rad/time */
-    double amplitude;        /* OSCILLATE: length; OSCILLATE_ROTATION: rad */
-    double frequency, phase; /* 1/time, rad */
-    double force;    /* SERVO: target force of the particles on the wall along direction, not 0; below it the
-                         wall     moves against direction, towards the particles that push */
-    double pressure; /* SERVO: instead of force, if above 0: walls_create sets force = pressure x area */
-    double area; /* SERVO: across direction, for pressure; not above 0: walls_create finds it (wall_area) */
-    double speed_max; /* SERVO: bound on the speed */
-    double gain; /* SERVO: speed per relative force error, length/time; 0: from the impedance of the grains
-                         that touch the wall */
-    char table[WALL_PATH_MAX]; /* TABLE */
-};
-
-struct wall_options {
-    char name[WALL_NAME_MAX];
-    enum wall_shape shape;
-    int material;
-    double point
-        [3]; /* PLANE: a point; CYLINDER: a point of the axis; RECTANGLE: a corner; DISC: the middle; CONE: the
-                         middle of the first end; user's coordinates */
-    double normal[3]; /* PLANE: towards the particles; DISC: any of the two */
-    double axis[3];   /* CYLINDER; CONE: from the first end to the second one */
-    double radius;    /* CYLINDER, DISC; CONE: of the first end */
-    double
-        length; /* CYLINDER: extent along the axis to both sides of point in total; 0: infinite. CONE: above 0 */
-    double radius_end;          /* CONE: of the second end, 0: a tip */
-    double hole;                /* DISC: radius of a round hole in the middle; 0: none */
-    double along[3], across[3]; /* RECTANGLE: its sides from the corner */
-    double lower[3], upper[3];  /* BOX: corners, user's coordinates */
-    int segments;               /* DISC, CONE: flat parts around the axis, at least 3 */
-    bool inside;                /* CYLINDER: particles inside (true) or outside */
-    char file[WALL_PATH_MAX];   /* MESH: STL (ASCII or binary) or a table of nine numbers a row */
-    char format[16];            /* MESH: "stl", "table", or "" = by content */
-    double scale;               /* MESH: lengths in the file x this */
-    double offset[3];           /* MESH: added after scaling */
-    int motions;
-    struct wall_motion motion[WALL_MOTIONS_MAX];
-};
-
 /* Pose of a wall: x = R x0 + t, and its velocity. A checkpoint stores this struct for each wall; doubles
  * alone. The centre is the body's point that lay on the axis of the first rotation at the start; without one
- * the wall's point, or the middle of the mesh. */
+ * the wall's point, or the middle of the mesh; of a free wall the centre of mass, or if it turns about an axis the point
+ * of the axis. */
 struct wall_pose {
     double rotation[9]; /* row by row */
     double translation[3];
@@ -131,11 +52,12 @@ struct wall_pose {
                         sum over ranks, of which rank 0 takes all when it is read */
 };
 
-/* What the particles do to a wall with a servo, summed over all ranks: force, and the mechanical impedance of
- * those that touch the wall, sum of sqrt(m f / overlap) (mass/time). The sum is exact: each term is a multiple of
- * a power of two that belongs to the wall, so that no layout changes the sum. */
+/* What the particles do to a wall that follows them, summed over all ranks: force, torque about the wall's centre, and
+ * the mechanical impedance of those that touch the wall, sum of sqrt(m f / overlap) (mass/time). The sum of the
+ * impedances is exact: each term is a multiple of a power of two that belongs to the wall, so that no layout changes the
+ * sum. */
 struct wall_push {
-    double force[3];
+    double force[3], torque[3];
     double impedance;
 };
 
@@ -157,7 +79,7 @@ int walls_count(const struct walls *walls);
 const struct wall_options *walls_options(const struct walls *walls, int wall);
 
 /* Moves all walls from time t to t + dt (positions at t + dt, velocities of the half step). push[wall] is summed
- * over ranks already (NULL where there is no servo). */
+ * over ranks already (NULL where no wall follows the particles, walls_follow_particles). */
 void walls_advance(struct walls *walls, double t, double dt, const struct wall_push *push);
 
 /* The area on which a pressure acts along `direction` (any length): of a plane across a direction of the box the
@@ -173,6 +95,9 @@ double *walls_impedance(struct walls *walls, int wall);
 void walls_at_end(struct walls *walls, double t, double dt);
 bool walls_have_servo(const struct walls *walls);
 bool walls_move(const struct walls *walls);
+/* True if the motion of a wall depends on the particles: one with a servo, or a free one. */
+bool walls_follow_particles(const struct walls *walls);
+bool walls_have_free(const struct walls *walls);
 
 /* At a rebuild, where walls move and particles may be outside of the box: the corners (box-relative) of a box
  * that holds the centres of all particles, on all ranks the same. Without particles lower may lie above
@@ -258,6 +183,7 @@ struct wall_place {
     double normal[3];     /* unit vector from the centre of the particle to the wall */
     double velocity[3];   /* of the wall there, in the last half step, with that of a surface that moves */
     double at[3];         /* the point of the wall, box-relative, in the wall's own image */
+    double torque[3];     /* of walls_push: on the wall, beside that of the force */
     const double *record; /* of the contact, in the history of the law; NULL: none */
 };
 
@@ -269,7 +195,7 @@ typedef void walls_visitor(void *context, const struct wall_place *place);
 void walls_visit(const struct walls *walls, const struct particles *particles, int thread, double range,
                  walls_visitor *visitor, void *context);
 
-/* Adds a force on the wall at such a place to the loads of the evaluation that walls_finish ends, and the impedance of what
+/* Adds a force on the wall, and place->torque, at such a place to the loads of the evaluation that walls_finish ends, and the impedance of what
  * pushes there (struct wall_push), which servos read. Many threads at once, with different `thread`. */
 void walls_push(struct walls *walls, int thread, const struct wall_place *place, const double force[3],
                 double impedance);
@@ -322,6 +248,17 @@ void walls_attach(struct walls *walls, const struct history_rows *rows, const st
  * to the pose, as without a break (bitwise), else from the pose. */
 void walls_pose(const struct walls *walls, int wall, struct wall_pose *pose);
 void walls_set_pose(struct walls *walls, int wall, const struct wall_pose *pose);
+
+/* Velocity of the centre of a wall and its angular velocity: of a free wall those at the full step (walls_free.h), else of the
+ * last half step. */
+void walls_velocity(const struct walls *walls, int wall, double velocity[3], double omega[3]);
+
+/* The rotation vector (rad) of a wall from its pose at rest, of a length up to pi; of a wall that is free about an axis the
+ * angle since it became free, all turns counted, along the axis. */
+void walls_rotation(const struct walls *walls, int wall, double rotation[3]);
+
+/* Energy of all free walls at the full step. */
+double walls_energy(const struct walls *walls);
 
 /* Displacement of the wall's centre (see struct wall_pose) from its place at rest in the scene; length. */
 void walls_offset(const struct walls *walls, int wall, double offset[3]);

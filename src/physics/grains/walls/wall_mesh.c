@@ -250,6 +250,17 @@ double wall_mesh_turn(const struct wall_mesh *mesh, double above) {
     return least;
 }
 
+double wall_mesh_area(const struct wall_mesh *mesh) {
+    double area = 0.0;
+    for (size_t t = 0; t < mesh->triangles; t++) {
+        const struct law_vector *corner = mesh->triangle[t].corner;
+        struct law_vector across =
+            law_cross(law_add(corner[1], -1.0, corner[0]), law_add(corner[2], -1.0, corner[0]));
+        area += 0.5 * sqrt(law_dot(across, across));
+    }
+    return area;
+}
+
 /* A directed edge of a mesh. Welded corners have the same bits. */
 struct rim {
     struct law_vector from, to;

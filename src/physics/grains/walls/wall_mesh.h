@@ -73,6 +73,9 @@ double wall_mesh_turn(const struct wall_mesh *mesh, double above);
  * surface. */
 size_t wall_mesh_open_edges(const struct wall_mesh *mesh, bool oriented);
 
+/* The area of all triangles. */
+double wall_mesh_area(const struct wall_mesh *mesh);
+
 /* Between the two files that make a surface: merged vertices and the triangles that are left. */
 struct wall_weld {
     size_t vertices, triangles;

@@ -50,14 +50,14 @@ bool wall_transform_near(const struct wall_transform *a, const struct wall_trans
 }
 
 /* A displacement as a transform. */
-static struct wall_transform transform_shift(struct law_vector d) {
+struct wall_transform wall_transform_shift(struct law_vector d) {
     struct wall_transform m = wall_transform_identity();
     memcpy(m.translation, &d, sizeof m.translation);
     return m;
 }
 
 /* Turns by `angle` about the axis `n` (length 1) through `point` (Rodrigues' formula). */
-static struct wall_transform transform_turn(struct law_vector n, double angle, struct law_vector point) {
+struct wall_transform wall_transform_turn(struct law_vector n, double angle, struct law_vector point) {
     double c = cos(angle), s = sin(angle), half = sin(0.5 * angle), d = 2.0 * half * half;
     struct wall_transform m = {
         .rotation = {c + d * n.x * n.x, d * n.x * n.y - s * n.z, d * n.x * n.z + s * n.y,
@@ -141,22 +141,23 @@ static struct wall_transform motion_place(const struct wall_motions *motions, in
     t = motion_time(motion, t);
     switch (motion->kind) {
     case WALL_TRANSLATE:
-        return transform_shift(law_scale(t - motion->start, wall_vector(motion->velocity)));
+        return wall_transform_shift(law_scale(t - motion->start, wall_vector(motion->velocity)));
     case WALL_ROTATE:
-        return transform_turn(axis, motion->rate * (t - motion->start), point);
+        return wall_transform_turn(axis, motion->rate * (t - motion->start), point);
     case WALL_OSCILLATE:
-        return transform_shift(law_scale(wave_value(motion, t), axis));
+        return wall_transform_shift(law_scale(wave_value(motion, t), axis));
     case WALL_OSCILLATE_ROTATION:
-        return transform_turn(axis, wave_value(motion, t), point);
+        return wall_transform_turn(axis, wave_value(motion, t), point);
     case WALL_SERVO:
-        return transform_shift(law_scale(servo, axis));
+        return wall_transform_shift(law_scale(servo, axis));
     case WALL_TABLE:
         break;
     }
     table_value(&motions->table[k], t, value);
     double angle = sqrt(law_dot(value[1], value[1]));
     axis = angle > 0.0 ? law_scale(1.0 / angle, value[1]) : (struct law_vector){0.0, 0.0, 1.0};
-    struct wall_transform turn = transform_turn(axis, angle, point), shift = transform_shift(value[0]);
+    struct wall_transform turn = wall_transform_turn(axis, angle, point),
+                          shift = wall_transform_shift(value[0]);
     return wall_transform_compose(&shift, &turn);
 }
 

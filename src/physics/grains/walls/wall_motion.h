@@ -24,6 +24,9 @@ struct wall_twist {
 };
 
 struct wall_transform wall_transform_identity(void);
+/* A displacement; and a turn by `angle` (rad) about an axis of length 1 through a point. */
+struct wall_transform wall_transform_shift(struct law_vector by);
+struct wall_transform wall_transform_turn(struct law_vector axis, double angle, struct law_vector point);
 /* First b, then a. */
 struct wall_transform wall_transform_compose(const struct wall_transform *a, const struct wall_transform *b);
 struct wall_transform wall_transform_inverse(const struct wall_transform *a);

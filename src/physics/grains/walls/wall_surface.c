@@ -162,8 +162,9 @@ static void add_loads(struct wall_surface *surface, const struct walls *walls,
     size_t count = walls_loads(walls, context, &load);
     for (size_t k = 0; k < count; k++) {
         int w = load[k].wall;
-        size_t at = walls->wall[w].mesh ? first[w] + (size_t)load[k].triangle
-                                        : nearest(surface, walls, first[w], first[w + 1], &load[k]);
+        bool known = walls->wall[w].mesh && load[k].triangle != WALL_PIECE_FIELD;
+        size_t at = known ? first[w] + (size_t)load[k].triangle
+                          : nearest(surface, walls, first[w], first[w + 1], &load[k]);
         if (at == first[w + 1])
             continue;
         for (int d = 0; d < 3; d++)

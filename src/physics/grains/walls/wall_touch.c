@@ -197,6 +197,14 @@ size_t wall_touch_resolve(const struct wall_mesh *mesh, struct wall_nearest *nea
     return taken > 1 ? smooth(touch, taken, near) : taken;
 }
 
+size_t wall_touch_show(struct wall_touch *touch, size_t count, double tolerance) {
+    size_t taken = 0;
+    for (size_t k = 0; k < count; k++)
+        if (!hidden(touch, taken, law_scale(touch[k].distance, touch[k].normal), tolerance))
+            touch[taken++] = touch[k];
+    return taken;
+}
+
 struct law_vector wall_touch_toward(const struct wall_mesh *mesh, int32_t feature, struct law_vector x,
                                     double *distance) {
     struct law_vector instead = {0.0, 0.0, -1.0};
@@ -269,7 +277,6 @@ static bool touch_before(const struct wall_touch *a, const struct wall_touch *b)
 size_t wall_cylinder_resolve(const struct wall_cylinder *cylinder, struct wall_touch *touch, size_t count,
                              double radius) {
     double tolerance = fmin(1e-6 * fmax(cylinder->radius, cylinder->length), 1e-3 * radius);
-    size_t taken = 0;
     for (size_t k = 1; k < count; k++) {
         struct wall_touch one = touch[k];
         size_t at = k;
@@ -277,10 +284,7 @@ size_t wall_cylinder_resolve(const struct wall_cylinder *cylinder, struct wall_t
             touch[at] = touch[at - 1];
         touch[at] = one;
     }
-    for (size_t k = 0; k < count; k++)
-        if (!hidden(touch, taken, law_scale(touch[k].distance, touch[k].normal), tolerance))
-            touch[taken++] = touch[k];
-    return taken;
+    return wall_touch_show(touch, count, tolerance);
 }
 
 bool wall_cylinder_near(const struct wall_cylinder *cylinder, struct law_vector x, double reach) {

@@ -78,6 +78,9 @@ static inline const struct law_vector *wall_touch_edge(const struct wall_mesh *m
     return mesh->edge[(size_t)feature - mesh->patches];
 }
 
+/* Of contacts sorted by distance those that no nearer one hides by the rule above; cut in place. Returns their number. */
+size_t wall_touch_show(struct wall_touch *touch, size_t count, double tolerance);
+
 /* A cylinder, in any frame. */
 struct wall_cylinder {
     struct law_vector point, axis; /* middle and direction (unit vector) */

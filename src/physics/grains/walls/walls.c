@@ -33,7 +33,8 @@ static bool wall_make_mesh(struct wall *wall, const struct box *box, FILE *notes
     mesh_free(&file);
     if (good)
         wall->grid = wall_grid_create(wall->mesh);
-    return good;
+    return good &&
+           (!o->field || wall_field_create(&wall->field, wall->mesh, o->field_spacing, o->name, error));
 }
 
 /* Point and axis of a plane or cylinder. */
@@ -86,7 +87,8 @@ static void wall_find_reach(struct wall *wall) {
 }
 
 static void wall_place(struct wall *wall, double t) {
-    struct wall_transform motion = wall_motions_place(wall->motions, t, wall->servo_offset);
+    struct wall_transform motion =
+        wall->free ? wall_free_place(wall->free) : wall_motions_place(wall->motions, t, wall->servo_offset);
     wall->pose = wall_transform_compose(&motion, &wall->base);
     walls_follow(wall);
 }
@@ -102,6 +104,15 @@ static bool wall_create(struct wall *wall, const struct wall_options *options, c
     return good;
 }
 
+static bool start_free(struct wall *wall, const struct box *box, struct error *error) {
+    if (!wall_free_create(&wall->free, &wall->options, wall->mesh, box, error))
+        return false;
+    wall_free_begin(wall->free, &wall->base);
+    wall->centre = wall_free_centre(wall->free, &wall->base);
+    wall->twist = wall_free_twist(wall->free);
+    return true;
+}
+
 static bool walls_start_motions(struct walls *walls, int w, struct error *error) {
     struct wall *wall = &walls->wall[w];
     const struct box *box = &walls->box;
@@ -111,7 +122,9 @@ static bool walls_start_motions(struct walls *walls, int w, struct error *error)
         return false;
     if (!wall_motions_pivot(wall->motions, &wall->centre))
         wall->centre = wall->mesh ? wall->mesh->centre : wall->point;
-    wall->moving = wall->options.motions > 0;
+    if (wall->options.free.given && !start_free(wall, box, error))
+        return false;
+    wall->moving = wall_moves(&wall->options);
     wall->slides = wall_motions_slides(wall->motions);
     wall->unit = wall_motions_servo_unit(wall->motions);
     wall_place(wall, 0.0);
@@ -171,7 +184,9 @@ void walls_destroy(struct walls **walls) {
     for (int k = 0; k < w->count; k++) {
         wall_mesh_destroy(&w->wall[k].mesh);
         wall_grid_destroy(&w->wall[k].grid);
+        wall_field_destroy(&w->wall[k].field);
         wall_motions_destroy(&w->wall[k].motions);
+        wall_free_destroy(&w->wall[k].free);
     }
     for (int t = 0; t < w->threads; t++) {
         walls_scratch_free(w->scratch[t]);
@@ -211,13 +226,20 @@ bool walls_have_servo(const struct walls *walls) {
     return false;
 }
 
+bool walls_follow_particles(const struct walls *walls) {
+    for (int w = 0; w < walls->count; w++)
+        if (walls->wall[w].free || wall_motions_has_servo(walls->wall[w].motions))
+            return true;
+    return false;
+}
+
 double *walls_impedance(struct walls *walls, int wall) {
     return &walls->impedance[wall];
 }
 
 bool walls_move(const struct walls *walls) {
     for (int w = 0; w < walls->count; w++)
-        if (walls->wall[w].options.motions > 0)
+        if (wall_moves(&walls->wall[w].options))
             return true;
     return false;
 }
@@ -241,9 +263,18 @@ static void set_twists(struct wall *wall, double t, double dt, double servo_offs
         wall->surface = wall_motions_surface(wall->motions, t, dt, servo_offset);
 }
 
+static void advance_free(struct wall *wall, const struct wall_push *push, const double gravity[3],
+                         double dt) {
+    wall_free_advance(wall->free, push, gravity, dt);
+    wall_place(wall, 0.0);
+    wall->twist = wall_free_twist(wall->free);
+}
+
 void walls_advance(struct walls *walls, double t, double dt, const struct wall_push *push) {
     for (int w = 0; w < walls->count; w++) {
         struct wall *wall = &walls->wall[w];
+        if (wall->free)
+            advance_free(wall, &push[w], walls->gravity, dt);
         if (wall->options.motions == 0)
             continue;
         if (wall->resumed)

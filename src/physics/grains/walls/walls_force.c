@@ -84,7 +84,8 @@ static void collect(const struct wall_task *task, int w, const struct wall_touch
         .lever = lever,
         .radius = state->radius};
     b->overlap[k] = overlap;
-    b->mass[k] = state->inverse_mass > 0.0 ? 1.0 / state->inverse_mass : 0.0;
+    double inverse = state->inverse_mass + walls_yield_of(wall, at, touch->normal);
+    b->mass[k] = inverse > 0.0 ? 1.0 / inverse : 0.0;
     b->effective[k] = state->radius;
     force_set(b->normal, k, touch->normal);
     struct law_vector surface = wall_twist_at(&wall->twist, at), spin = wall->twist.omega;
@@ -295,7 +296,7 @@ static void take_particle(struct wall_task *task) {
         int w = walls->piece[first].wall;
         size_t count = walls_find(walls, k, first, &last, wall_vector(state->x),
                                   reach_of(task, w, state->radius), scratch);
-        if (fixed && walls->wall[w].options.motions == 0)
+        if (fixed && !wall_moves(&walls->wall[w].options))
             continue;
         for (size_t c = 0; c < count; c++) {
             if (scratch->batch->contact.walk.count == FORCE_BATCH)

@@ -174,8 +174,10 @@ static enum row_place row_place(const struct walls *walls, size_t k, const struc
         const struct wall_piece *piece = &walls->piece[p];
         const struct wall_mesh *mesh = walls->wall[piece->wall].mesh;
         if (piece->wall == wall)
-            place = mesh == NULL || triangle_has(&mesh->triangle[piece->triangle], feature) ? ROW_HERE
-                                                                                            : ROW_BESIDE;
+            place = mesh == NULL || piece->triangle == WALL_PIECE_FIELD ||
+                            triangle_has(&mesh->triangle[piece->triangle], feature)
+                        ? ROW_HERE
+                        : ROW_BESIDE;
     }
     return place;
 }

@@ -75,6 +75,25 @@ size_t walls_near(const struct walls *walls, int w, struct law_vector x, double 
     return count;
 }
 
+/* The images of a wall that are nearer than `reach` by its field. */
+static size_t near_field(const struct walls *walls, int w, struct law_vector x, double reach,
+                         struct wall_piece *out) {
+    const struct wall *wall = &walls->wall[w];
+    size_t count = 0;
+    for (int k = 0; k < wall->image_count; k++) {
+        struct law_vector here = law_add(x, -1.0, walls_shift(walls, w, wall->image[k])), gradient;
+        double distance;
+        if (!wall_field_at(wall->field, walls_into_body(wall, here), &distance, &gradient) ||
+            !(fabs(distance) < reach))
+            continue;
+        if (out)
+            out[count] = (struct wall_piece){
+                .triangle = WALL_PIECE_FIELD, .wall = (uint8_t)w, .image = (uint8_t)wall->image[k]};
+        count++;
+    }
+    return count;
+}
+
 static bool is_zero(const double a[3]) {
     return a[0] == 0 && a[1] == 0 && a[2] == 0;
 }
@@ -92,7 +111,7 @@ bool walls_at_rest(const struct particles *particles, size_t i) {
 static uint8_t face_of(const struct walls *walls, const struct wall_piece *piece, size_t pieces,
                        struct law_vector x, double margin) {
     const struct wall *wall = &walls->wall[piece->wall];
-    if (wall->mesh == NULL)
+    if (wall->mesh == NULL || wall->field)
         return 0;
     struct law_vector here =
         walls_into_body(wall, law_add(x, -1.0, walls_shift(walls, piece->wall, piece->image)));
@@ -117,10 +136,12 @@ static size_t near_particle(const struct walls *walls, const struct particles *p
     size_t count = 0;
     bool fixed = !walls->fixed_too && walls_at_rest(particles, i);
     for (int w = 0; w < walls->count; w++) {
-        if (fixed && walls->wall[w].options.motions == 0)
-            continue;
         struct wall_piece *place = out ? out + count : NULL;
-        size_t found = walls_near(walls, w, x, state->radius + margin, place, number);
+        if (fixed && !wall_moves(&walls->wall[w].options))
+            continue;
+        size_t found = walls->wall[w].field
+                           ? near_field(walls, w, x, state->radius + margin, place)
+                           : walls_near(walls, w, x, state->radius + margin, place, number);
         if (place && found > 0)
             place->face = face_of(walls, place, found, x, margin);
         count += found;
@@ -150,6 +171,16 @@ static void anchor(struct walls *walls) {
     for (int w = 0; w < walls->count; w++)
         walls->wall[w].built = walls->wall[w].pose;
     walls_wrap(walls);
+}
+
+/* Lets the fields reach as far as particles look for walls. */
+static void cover(struct walls *walls, const struct size_classes *classes) {
+    double reach = 0.0;
+    for (int c = 0; c < classes->count; c++)
+        reach = law_max(reach, classes->radius_max[c] + classes->margin[c][classes->count]);
+    for (int w = 0; w < walls->count; w++)
+        if (walls->wall[w].field)
+            wall_field_cover(walls->wall[w].field, reach);
 }
 
 /* The results of one thread in its range of particles. */
@@ -197,6 +228,7 @@ void walls_build(struct walls *walls, const struct particles *particles, const s
                                           "wall candidates");
     }
     anchor(walls);
+    cover(walls, classes);
 #pragma omp parallel for schedule(static, 1)
     for (int t = 0; t < threads; t++)
         share[t] = count_range(walls, particles, classes, range_start(owned, t, threads),

@@ -5,7 +5,7 @@
 
 #include "physics/grains/walls/walls_parts.h"
 
-/* The pieces of wall w nearer than `reach` to x, sorted; returns their number. `out` has room for
+/* The pieces of wall w nearer than `reach` to x, sorted, triangles also where there is a field; returns their number. `out` has room for
  * the pieces, `number` for the triangles; both may be NULL: counts only. */
 size_t walls_near(const struct walls *walls, int w, struct law_vector x, double reach, struct wall_piece *out,
                   int32_t *number);

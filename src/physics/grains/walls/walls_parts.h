@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* Inside of the walls: the common part of walls.c (life and motion), walls_pose.c, walls_displacement.c,
- * walls_near.h (candidates), walls_touch.h (geometry of one sphere), walls_force.c, walls_sums.c, wall_surface.c and
- * walls_history.h. No other file includes this one.
+ * walls_near.h (candidates), walls_touch.h (geometry of one sphere), walls_force.c, walls_sums.c, wall_surface.c,
+ * walls_free.c and walls_history.h. No other file includes this one.
  *
  * Candidates. At a rebuild each owned particle near a wall becomes a candidate, in the order of the
  * particles, with the *pieces* near it: (wall, image, triangle), sorted. Candidate k has the pieces first[k]
@@ -18,6 +18,8 @@
 
 #include "physics/grains/batch/force_kernel.h"
 #include "physics/grains/walls/wall.h"
+#include "physics/grains/walls/wall_field.h"
+#include "physics/grains/walls/wall_free.h"
 #include "physics/grains/walls/wall_grid.h"
 #include "physics/grains/walls/wall_motion.h"
 #include "physics/grains/walls/wall_touch.h"
@@ -30,7 +32,9 @@ struct wall {
         axis;               /* PLANE: point and normal; CYLINDER: middle and axis; box-relative, at rest */
     struct wall_mesh *mesh; /* MESH */
     struct wall_grid *grid;
+    struct wall_field *field; /* NULL: the mesh is felt by its triangles */
     struct wall_motions *motions;
+    struct wall_free *free;   /* NULL: the wall is not free */
     struct law_vector centre; /* at rest, see struct wall_pose */
     double reach[3]; /* of cylinder and mesh at rest: how far from the middle along x, y, z, at most */
 
@@ -52,8 +56,11 @@ struct wall {
     int image[IMAGE_CODES]; /* codes of the images to look at */
 };
 
+/* A piece of a wall that is felt by a field is all of one of its images. */
+enum { WALL_PIECE_FIELD = -1 };
+
 struct wall_piece {
-    int32_t triangle; /* MESH */
+    int32_t triangle; /* MESH; WALL_PIECE_FIELD */
     uint8_t wall, image;
     uint8_t
         face; /* of the first piece of a wall: 1 + the place among them of the only triangle whose face may be touched */
@@ -110,6 +117,7 @@ struct walls {
     struct wall *wall;
     struct box box;
     double extent[2][3];   /* lower and upper corner: holds the box and all particles */
+    double gravity[3];     /* of free walls */
     const struct law *law; /* borrowed */
     bool fixed_too;        /* particles at rest are candidates of walls at rest, too (walls_visit) */
     const struct force_kernel *kernel; /* the law over a batch of contacts */
@@ -143,6 +151,11 @@ struct wall_sphere {
 static inline struct law_vector walls_shift(const struct walls *walls, int wall, int code) {
     const double *shift = walls->shift[code], *wrap = walls->wall[wall].wrap;
     return (struct law_vector){shift[0] + wrap[0], shift[1] + wrap[1], shift[2] + wrap[2]};
+}
+
+/* The inverse of the mass of a wall against a push along a unit vector at a place in its own image; 0: nothing moves it. */
+static inline double walls_yield_of(const struct wall *wall, struct law_vector at, struct law_vector along) {
+    return wall->free ? wall_free_yield(wall->free, at, along) : 0.0;
 }
 
 /* Sets the members of a wall that follow from its pose. */

@@ -29,6 +29,23 @@ void walls_offset(const struct walls *walls, int wall, double offset[3]) {
     put(offset, law_add(wall_vector(w->pose.translation), 1.0, turned));
 }
 
+/* A free wall whose state leads to its pose goes on. Else, as where its freedom is another one now, the pose is the one in which
+ * it becomes free. */
+static void go_on_free(struct wall *wall) {
+    if (wall->free->state.known != 0.0) {
+        wall_free_begin(wall->free, &wall->base);
+        struct wall_transform moved = wall_free_place(wall->free),
+                              there = wall_transform_compose(&moved, &wall->base);
+        wall->free->state.known = wall_transform_near(&there, &wall->pose) ? 1.0 : 0.0;
+    }
+    if (wall->free->state.known == 0.0) {
+        wall->base = wall->pose;
+        wall_free_begin(wall->free, &wall->base);
+    }
+    wall->centre = wall_free_centre(wall->free, &wall->base);
+    wall->twist = wall_free_twist(wall->free);
+}
+
 void walls_set_pose(struct walls *walls, int wall, const struct wall_pose *pose) {
     struct wall *w = &walls->wall[wall];
     struct wall_transform rest = wall_transform_identity();
@@ -39,12 +56,14 @@ void walls_set_pose(struct walls *walls, int wall, const struct wall_pose *pose)
     w->servo_offset = wall_motions_has_servo(w->motions) ? pose->servo_offset : 0.0;
     w->servo_speed = pose->servo_speed;
     w->twist = (struct wall_twist){0};
-    if (w->options.motions > 0) {
+    if (w->free)
+        go_on_free(w);
+    if (wall_moves(&w->options) && !(w->free && w->free->state.known == 0.0)) {
         w->twist.omega = wall_vector(pose->omega);
         w->twist.velocity =
             law_add(wall_vector(pose->velocity), -1.0, law_cross(w->twist.omega, wall_vector(pose->centre)));
     }
-    w->moving = w->options.motions > 0 || memcmp(&w->pose, &rest, sizeof rest) != 0;
+    w->moving = wall_moves(&w->options) || memcmp(&w->pose, &rest, sizeof rest) != 0;
     memcpy(walls->force[wall], pose->force, sizeof pose->force);
     w->resumed = true;
     walls_follow(w);
@@ -66,5 +85,5 @@ size_t walls_triangles(const struct walls *walls, int wall, double (**triangles)
 
 double walls_turn(const struct walls *walls, int wall) {
     const struct wall_mesh *mesh = walls->wall[wall].mesh;
-    return mesh ? wall_mesh_turn(mesh, WALL_TOUCH_SMOOTH) : INFINITY;
+    return mesh && walls->wall[wall].field == NULL ? wall_mesh_turn(mesh, WALL_TOUCH_SMOOTH) : INFINITY;
 }

@@ -16,7 +16,7 @@ static double wall_work(const struct wall *wall, const double before[6], const d
 
 /* Stores force and power of a wall, and adds its work. */
 static void set_load(struct walls *walls, int w, const double load[WALL_LOADS], double dt) {
-    if (walls->wall[w].moving)
+    if (walls->wall[w].moving && walls->wall[w].free == NULL)
         walls->work += wall_work(&walls->wall[w], walls->force[w], load, dt);
     if (walls->wall[w].slides)
         walls->work += 0.5 * dt * (walls->power[w] + load[WALL_POWER]);

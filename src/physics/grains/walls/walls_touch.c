@@ -57,9 +57,44 @@ static size_t touch_mesh(const struct walls *walls, const struct wall_piece *pie
     return count;
 }
 
+/* The unit vector towards the surface of a field from a place in the body's frame, and the distance; false: too far. */
+static bool toward_field(const struct wall *wall, struct law_vector x, struct law_vector *normal,
+                         double *distance) {
+    struct law_vector gradient;
+    if (!wall_field_at(wall->field, x, distance, &gradient))
+        return false;
+    double slope = sqrt(law_dot(gradient, gradient)), sign = *distance < 0.0 ? 1.0 : -1.0;
+    *normal = slope > 0.0 ? law_scale(sign / slope, gradient) : (struct law_vector){0.0, 0.0, -1.0};
+    *distance = fabs(*distance);
+    return true;
+}
+
+/* A field: of contacts through several images those that no nearer one hides. */
+static size_t touch_field(const struct walls *walls, const struct wall_piece *piece, size_t pieces,
+                          struct law_vector x, double radius, struct wall_touch *touch) {
+    const struct wall *wall = &walls->wall[piece->wall];
+    size_t count = 0;
+    for (size_t k = 0; k < pieces; k++) {
+        struct wall_touch one = {.triangle = WALL_PIECE_FIELD, .image = piece[k].image};
+        struct law_vector here = law_add(x, -1.0, walls_shift(walls, piece->wall, piece[k].image));
+        if (!toward_field(wall, walls_into_body(wall, here), &one.normal, &one.distance) ||
+            !(one.distance < radius))
+            continue;
+        if (wall->moving)
+            one.normal = wall_turn(wall->pose.rotation, one.normal);
+        size_t at = count++;
+        for (; at > 0 && one.distance < touch[at - 1].distance; at--)
+            touch[at] = touch[at - 1];
+        touch[at] = one;
+    }
+    return count > 1 ? wall_touch_show(touch, count, 1e-3 * radius) : count;
+}
+
 size_t walls_touch(const struct walls *walls, const struct wall_piece *piece, size_t pieces,
                    struct law_vector x, double radius, struct wall_scratch *scratch) {
     const struct wall *wall = &walls->wall[piece->wall];
+    if (piece->triangle == WALL_PIECE_FIELD && wall->field)
+        return touch_field(walls, piece, pieces, x, radius, scratch->touch);
     switch (wall->options.shape) {
     case WALL_PLANE:
         return touch_plane(wall, x, radius, scratch->touch);
@@ -111,9 +146,24 @@ static struct law_vector half_to(const struct wall *wall, const struct wall_touc
     return law_project(to, unit(turn_half(wall, along, dt), along));
 }
 
+/* The normal of a field where the sphere was half a step ago, as the wall saw it. */
+static struct law_vector half_field(const struct wall *wall, const struct wall_touch *touch,
+                                    const struct wall_sphere *sphere, double dt) {
+    struct law_vector rate = law_add(sphere->v, -1.0, wall_twist_at(&wall->twist, sphere->x)), normal;
+    struct law_vector before = law_add(sphere->x, -0.5 * dt, rate);
+    double distance;
+    if (!toward_field(wall, walls_into_body(wall, before), &normal, &distance))
+        return touch->normal;
+    if (wall->moving)
+        normal = wall_turn(wall->pose.rotation, normal);
+    return unit(turn_half(wall, normal, dt), touch->normal);
+}
+
 struct law_vector walls_half_normal(const struct wall *wall, const struct wall_touch *touch,
                                     const struct wall_sphere *sphere, double dt) {
     bool cylinder = wall->options.shape == WALL_CYLINDER;
+    if (wall->field)
+        return half_field(wall, touch, sphere, dt);
     if (!cylinder && touch->kind == WALL_TOUCH_FACE)
         return wall->moving ? unit(turn_half(wall, touch->normal, dt), touch->normal) : touch->normal;
     if (!cylinder)
@@ -127,6 +177,12 @@ struct law_vector walls_half_normal(const struct wall *wall, const struct wall_t
 
 struct law_vector walls_toward(const struct wall *wall, int32_t feature, struct law_vector x,
                                double *distance) {
+    if (wall->field) {
+        struct law_vector n = {0.0, 0.0, -1.0};
+        if (!toward_field(wall, walls_into_body(wall, x), &n, distance))
+            *distance = INFINITY;
+        return wall->moving ? wall_turn(wall->pose.rotation, n) : n;
+    }
     if (wall->mesh) {
         struct law_vector n = wall_touch_toward(wall->mesh, feature, walls_into_body(wall, x), distance);
         return wall->moving ? wall_turn(wall->pose.rotation, n) : n;
@@ -140,6 +196,8 @@ struct law_vector walls_toward(const struct wall *wall, int32_t feature, struct 
 }
 
 size_t walls_features(const struct wall *wall) {
+    if (wall->field)
+        return 1;
     if (wall->mesh)
         return wall_mesh_features(wall->mesh);
     return wall->options.shape == WALL_PLANE ? 1 : wall->options.length > 0.0 ? 3 : 1;

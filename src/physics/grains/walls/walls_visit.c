@@ -56,6 +56,7 @@ void walls_push(struct walls *walls, int thread, const struct wall_place *place,
     const struct wall *wall = &walls->wall[place->wall];
     struct law_vector f = wall_vector(force), at = wall_vector(place->at);
     struct law_vector torque = law_cross(law_add(at, -1.0, wall->centre_now), f);
+    torque = law_add(torque, 1.0, wall_vector(place->torque));
     double power = wall->slides ? -law_dot(f, walls_slip(wall, at, wall_vector(place->normal))) : 0.0;
     const double load[WALL_LOADS] = {f.x, f.y, f.z, torque.x, torque.y, torque.z, power};
     struct wall_scratch *scratch = walls->scratch[thread];

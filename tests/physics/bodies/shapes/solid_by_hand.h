@@ -4,7 +4,7 @@
 #define SCREE_TESTS_SOLID_BY_HAND_H
 
 #include "base/random.h"
-#include "physics/bodies/rotor.h"
+#include "base/rotor.h"
 #include "physics/bodies/shapes/touch.h"
 #include <math.h>
 #include <string.h>

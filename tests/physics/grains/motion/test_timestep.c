@@ -131,7 +131,8 @@ static void test_tangential_mode(void **state) {
             pair[0][0] = (struct law_pair){
                 .friction = 1.0, .rolling_friction = 1.0, .k_n = 7.0, .k_t = 7.0, .gamma_t = damping[k]};
             OWN_LAW law = prepared(options, 1, &m);
-            const struct timestep_kind kind[2] = {{0, false, 1.0, 1.0, 1.0, TIMESTEP_SPHERE}, {.wall = true}};
+            const struct timestep_kind kind[2] = {{0, false, 1.0, 1.0, 1.0, TIMESTEP_SPHERE, {0, 0, 0}},
+                                                  {.wall = true}};
             struct timestep_limits spheres = limits_for(&law, &m, 1, kind, 1, 0.0);
             struct timestep_limits both = limits_for(&law, &m, 2, kind, 1, 0.0);
             /* m* is half a mass, R* half a radius */
@@ -157,8 +158,8 @@ static void test_bidisperse(void **state) {
                 .friction = 0.5, .k_n = 1000.0, .k_t = 1000.0 * 2.0 / 7.0, .gamma_n = 50.0, .gamma_t = 25.0};
     OWN_LAW law = prepared(options, 2, m);
     double mass = 4.0 / 3.0 * M_PI;
-    const struct timestep_kind kind[2] = {{0, false, 1.0, 1.0, mass, TIMESTEP_SPHERE},
-                                          {1, false, 10.0, 10.0, 1000.0 * mass, TIMESTEP_SPHERE}};
+    const struct timestep_kind kind[2] = {{0, false, 1.0, 1.0, mass, TIMESTEP_SPHERE, {0, 0, 0}},
+                                          {1, false, 10.0, 10.0, 1000.0 * mass, TIMESTEP_SPHERE, {0, 0, 0}}};
     struct timestep_limits small = limits_for(&law, m, 1, kind, 0, 0.0);
     struct timestep_limits large = limits_for(&law, m, 1, kind + 1, 0, 0.0);
     struct timestep_limits both = limits_for(&law, m, 2, kind, 0, 0.0);
@@ -183,8 +184,8 @@ static void test_penetration(void **state) {
     pair[0][1] = (struct law_pair){.restitution = 0.4, .friction = 0.2};
     pair[1][1] = (struct law_pair){.restitution = 0.6, .friction = 0.5};
     double glass = 4.0 / 3.0 * M_PI * 1e-9 * 2500.0, ball = 4.0 / 3.0 * M_PI * 1e-6 * 7200.0;
-    const struct timestep_kind kind[3] = {{0, false, 1e-3, 1e-3, glass, TIMESTEP_SPHERE},
-                                          {1, false, 1e-2, 1e-2, ball, TIMESTEP_SPHERE},
+    const struct timestep_kind kind[3] = {{0, false, 1e-3, 1e-3, glass, TIMESTEP_SPHERE, {0, 0, 0}},
+                                          {1, false, 1e-2, 1e-2, ball, TIMESTEP_SPHERE, {0, 0, 0}},
                                           {.material = 1, .wall = true}};
     for (int equal = 0; equal < 2; equal++) {
         options.tangential_damping_equal = equal;
@@ -230,7 +231,29 @@ static void test_nothing_to_limit(void **state) {
     assert_true(isinf(limits.stable) && isinf(limits.contact_time) && limits.rayleigh == 0.0);
 }
 
+/* A free wall has a stiffness of its own: of one contact at its softest place, or of as many spheres as lie on it. */
+static void test_free_wall(void **state) {
+    (void)state;
+    const struct law_material m = {"m", 1.0, 0.0, 0.0};
+    struct law_options options = law_options_default();
+    options.normal = LAW_HOOKE;
+    options.damping = LAW_DAMPING_COEFFICIENT;
+    options.tangential = LAW_FRICTIONLESS;
+    pair[0][0] = (struct law_pair){.k_n = 7.0};
+    OWN_LAW law = prepared(options, 1, &m);
+    struct timestep_kind kind[2] = {{0, false, 1.0, 1.0, 1.0, TIMESTEP_SPHERE, {0, 0, 0}}, {.wall = true}};
+    double local = 2.0 * 7.0;
+    assert_near(limits_for(&law, &m, 2, kind, 2, 0.0).stable, 2.0 / sqrt(2.0 * local), 1e-12);
+    kind[1].yield = (struct timestep_yield){.one = 3.0, .all = 0.01, .area = 100.0};
+    assert_near(limits_for(&law, &m, 2, kind, 2, 0.0).stable, 2.0 / sqrt(local + 3.0 * 7.0), 1e-12);
+    kind[1].yield = (struct timestep_yield){.one = 0.5, .all = 0.1, .area = 100.0};
+    assert_near(limits_for(&law, &m, 2, kind, 2, 0.0).stable,
+                2.0 / sqrt(local + 10.0 / (2.0 * sqrt(3.0)) * 7.0), 1e-12);
+    kind[1].yield = (struct timestep_yield){.one = 0.05, .all = 0.01, .area = 10.0};
+    assert_near(limits_for(&law, &m, 2, kind, 2, 0.0).stable, 2.0 / sqrt(2.0 * local), 1e-12);
+}
+
 TEST_MAIN(timestep, cmocka_unit_test(test_bound_is_sharp), cmocka_unit_test(test_chain),
           cmocka_unit_test(test_tangential_mode), cmocka_unit_test(test_bidisperse),
           cmocka_unit_test(test_penetration), cmocka_unit_test(test_hertz_frequency),
-          cmocka_unit_test(test_nothing_to_limit))
+          cmocka_unit_test(test_nothing_to_limit), cmocka_unit_test(test_free_wall))

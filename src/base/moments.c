@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
-/* Sums and integrals over spheres. The quaternion of a rotation. Read moments.h first. */
-#include "physics/bodies/moments.h"
+/* Sums and integrals over spheres, solids and sheets. The quaternion of a rotation. Read moments.h first. */
+#include "base/moments.h"
 #include "base/memory.h"
 #include <math.h>
 #include <stdlib.h>
@@ -131,6 +131,42 @@ void moments_solid(const double (*corner)[9], size_t triangles, struct moments *
         all.x[d] *= sign;
     for (int k = 0; k < 9; k++)
         all.xx[k] *= sign;
+    moments_of(&all, moments);
+    for (int d = 0; d < 3; d++)
+        moments->centre[d] += corner[0][d];
+}
+
+/* Adds a triangle: with s the sum of the corners, the integral of x_i is A s_i / 3, and that of x_i x_j is
+ * A (s_i s_j + sum over corners of x_i x_j) / 12. */
+static void triangle_add(struct integrals *all, const double p[9]) {
+    double u[3], v[3], s[3], square = 0;
+    for (int d = 0; d < 3; d++) {
+        u[d] = p[3 + d] - p[d];
+        v[d] = p[6 + d] - p[d];
+        s[d] = p[d] + p[3 + d] + p[6 + d];
+    }
+    for (int d = 0; d < 3; d++) {
+        double across = u[(d + 1) % 3] * v[(d + 2) % 3] - u[(d + 2) % 3] * v[(d + 1) % 3];
+        square += across * across;
+    }
+    const double area = 0.5 * sqrt(square);
+    all->one += area;
+    for (int d = 0; d < 3; d++) {
+        all->x[d] += area * s[d] / 3;
+        for (int e = 0; e < 3; e++)
+            all->xx[3 * d + e] +=
+                area * (s[d] * s[e] + p[d] * p[e] + p[3 + d] * p[3 + e] + p[6 + d] * p[6 + e]) / 12;
+    }
+}
+
+void moments_sheet(const double (*corner)[9], size_t triangles, struct moments *moments) {
+    struct integrals all = {0};
+    for (size_t t = 0; t < triangles; t++) {
+        double from[9];
+        for (int c = 0; c < 9; c++)
+            from[c] = corner[t][c] - corner[0][c % 3];
+        triangle_add(&all, from);
+    }
     moments_of(&all, moments);
     for (int d = 0; d < 3; d++)
         moments->centre[d] += corner[0][d];

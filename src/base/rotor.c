@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* Rotation by unit quaternions, and the free top. Read rotor.h first. */
-#include "physics/bodies/rotor.h"
+#include "base/rotor.h"
 #include <math.h>
 
 void rotor_matrix(const double q[4], double turn[9]) {

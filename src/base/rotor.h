@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* Rotation of rigid bodies: unit quaternions q = (w, x, y, z) that turn the body's frame, whose axes are the
  * principal axes, to space. Any thread. */
-#ifndef SCREE_BODIES_ROTOR_H
-#define SCREE_BODIES_ROTOR_H
+#ifndef SCREE_BASE_ROTOR_H
+#define SCREE_BASE_ROTOR_H
 
 /* The rotation matrix of q, row by row: turns a vector of the body's frame to space. */
 void rotor_matrix(const double q[4], double turn[9]);

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
-/* Volume, centre and inertia of spheres together, and the quaternion of a rotation. */
-#ifndef SCREE_BODIES_MOMENTS_H
-#define SCREE_BODIES_MOMENTS_H
+/* Volume, centre and inertia of spheres together, of solids and of sheets, and the quaternion of a rotation. */
+#ifndef SCREE_BASE_MOMENTS_H
+#define SCREE_BASE_MOMENTS_H
 
 #include <stddef.h>
 
@@ -25,6 +25,9 @@ void moments_union(const struct clump_sphere *sphere, int spheres, struct moment
 /* Of the solid that closed triangles of one orientation bound, corners x y z of each: exact integrals over the
  * tetrahedra between the triangles and the first corner. */
 void moments_solid(const double (*corner)[9], size_t triangles, struct moments *moments);
+
+/* Of a thin sheet of uniform mass on triangles, closed or not: exact integrals. The volume is the area. */
+void moments_sheet(const double (*corner)[9], size_t triangles, struct moments *moments);
 
 /* The unit quaternion (w, x, y, z) of a rotation matrix. */
 void moments_quaternion(const double turn[9], double q[4]);
