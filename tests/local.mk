@@ -24,15 +24,16 @@ check_PROGRAMS += \
 	%D%/mpi/test_groups %D%/mpi/test_h5md %D%/mpi/test_h5md_read %D%/mpi/test_h5md_run %D%/mpi/test_library \
 	%D%/mpi/test_migrate %D%/mpi/test_mover %D%/mpi/test_observables %D%/mpi/test_projection \
 	%D%/mpi/test_regions %D%/mpi/test_report %D%/mpi/test_scene_ranks %D%/mpi/test_shadows %D%/mpi/test_shear \
-	%D%/mpi/test_solve %D%/mpi/test_solve_interface %D%/mpi/test_stress %D%/physics/bodies/shapes/test_solid \
-	%D%/physics/bodies/shapes/test_stiff %D%/physics/bodies/shapes/test_touch %D%/physics/bodies/test_bodies \
-	%D%/physics/bodies/test_clump %D%/physics/bonds/test_bonds %D%/physics/bonds/test_bonds_links \
-	%D%/physics/drag/test_drag %D%/physics/fluid/carried/test_fluid_layer \
-	%D%/physics/fluid/carried/test_fluid_scalar_links %D%/physics/fluid/coupling/test_fluid_grain_coupling \
-	%D%/physics/fluid/coupling/test_fluid_grain_surfaces %D%/physics/fluid/coupling/test_fluid_rigid \
-	%D%/physics/fluid/lattice/test_fluid_arrangement %D%/physics/fluid/lattice/test_fluid_body_surfaces \
-	%D%/physics/fluid/lattice/test_fluid_mirror %D%/physics/fluid/lattice/test_fluid_pattern \
-	%D%/physics/fluid/lattice/test_fluid_walls %D%/physics/fluid/operators/test_fluid_correction_tensors \
+	%D%/mpi/test_solve %D%/mpi/test_solve_interface %D%/mpi/test_stress %D%/physics/bodies/shapes/test_chamfer \
+	%D%/physics/bodies/shapes/test_solid %D%/physics/bodies/shapes/test_stiff \
+	%D%/physics/bodies/shapes/test_touch %D%/physics/bodies/test_bodies %D%/physics/bodies/test_clump \
+	%D%/physics/bonds/test_bonds %D%/physics/bonds/test_bonds_links %D%/physics/drag/test_drag \
+	%D%/physics/fluid/carried/test_fluid_layer %D%/physics/fluid/carried/test_fluid_scalar_links \
+	%D%/physics/fluid/coupling/test_fluid_grain_coupling %D%/physics/fluid/coupling/test_fluid_grain_surfaces \
+	%D%/physics/fluid/coupling/test_fluid_rigid %D%/physics/fluid/lattice/test_fluid_arrangement \
+	%D%/physics/fluid/lattice/test_fluid_body_surfaces %D%/physics/fluid/lattice/test_fluid_mirror \
+	%D%/physics/fluid/lattice/test_fluid_pattern %D%/physics/fluid/lattice/test_fluid_walls \
+	%D%/physics/fluid/operators/test_fluid_correction_tensors \
 	%D%/physics/fluid/operators/test_fluid_gradient_correction %D%/physics/fluid/operators/test_fluid_mls \
 	%D%/physics/fluid/operators/test_fluid_operators %D%/physics/fluid/schemes/test_fluid_drive \
 	%D%/physics/fluid/schemes/test_fluid_open_sides %D%/physics/fluid/schemes/test_fluid_particle_shift \
