@@ -69,24 +69,25 @@ EXTRA_DIST += \
 	%D%/granular/sheared_0.dump.gz %D%/granular/sheared_2.5.dump.gz %D%/granular/twisting_marshall.dump.gz \
 	%D%/granular/twisting_sds.dump.gz %D%/granular/wall.data %D%/granular/wall_hertz.dump.gz \
 	%D%/granular/wall_laws %D%/granular/wall_rolling.dump.gz %D%/granular/wall_twisting.dump.gz %D%/launch \
-	%D%/lsan.supp %D%/mutants.txt %D%/mutate %D%/without_cmocka/cmocka.h
+	%D%/lsan.supp %D%/mutants.txt %D%/mutate %D%/physics/bodies/shapes/fcl_pairs.cpp %D%/without_cmocka/cmocka.h
 tests_physics_bodies_shapes_test_touch_CPPFLAGS = $(AM_CPPFLAGS) $(CCD_CFLAGS)
 tests_physics_bodies_shapes_test_touch_LDADD = $(LDADD) $(CCD_LIBS)
 tests_physics_grains_batch_test_force_loop_CPPFLAGS = $(AM_CPPFLAGS) $(KERNEL_CPPFLAGS)
 
-dist_check_SCRIPTS += %D%/crosscode.sh %D%/granular_lammps.sh %D%/lint
+dist_check_SCRIPTS += %D%/crosscode.sh %D%/granular_lammps.sh %D%/lint %D%/rock_distance.sh
+tests/rock_distance.log: tests/physics/bodies/shapes/rock_pairs
 
 # make tests/bench_NAME: times of the force loop, what memory and units give at most, indexes, and what has the length of
 # the rank count. checkpoint_lines is a tool of tests/app.
 EXTRA_PROGRAMS += \
 	%D%/bench_force %D%/bench_triad %D%/checkpoint_lines %D%/index/bench_index %D%/mpi/bench_ranks \
-	%D%/physics/hard/oracle
+	%D%/physics/bodies/shapes/rock_pairs %D%/physics/hard/oracle
 CLEANFILES += %D%/bench_force %D%/bench_triad %D%/checkpoint_lines %D%/index/bench_index %D%/mpi/bench_ranks
 # oracle.sh solves contact problems again by Siconos, where that is there
 if HAVE_SICONOS
 tests/app/oracle.log: tests/physics/hard/oracle
 endif
-CLEANFILES += %D%/physics/hard/oracle
+CLEANFILES += %D%/physics/hard/oracle %D%/physics/bodies/shapes/rock_pairs
 tests_physics_hard_oracle_CPPFLAGS = $(AM_CPPFLAGS) $(SICONOS_CFLAGS)
 tests_physics_hard_oracle_LDADD = $(SICONOS_LIBS) $(HDF5_LIBS) $(MPI_LIBS)
 tests/app/bench.log: tests/bench_triad tests/index/bench_index
