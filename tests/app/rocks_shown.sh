@@ -24,7 +24,7 @@ bodies:
   shapes:
     - {name: cube, vertices: [0,0,0, 1,0,0, 0,1,0, 1,1,0, 0,0,1, 1,0,1, 0,1,1, 1,1,1], rounding: 0.05}
     - {name: ballast, random: {corners: 14, variants: 5}, roundness: 0.2}
-output: {trajectory: {every: 10}, checkpoint: {every: 20, at_end: false}}
+output: {trajectory: {every: 10}, checkpoint: {every: 20, at_end: false}, dump: {every: 20, fields: [id, kind, position, rock_shape, rock_orientation]}}
 YAML
 check 'a run' run_scene 1 mixed.yaml run
 
@@ -129,7 +129,11 @@ head = json.loads(data[:512])
 rows = list(struct.iter_unpack("<10f", data[512:]))
 assert head["numbers"] == 10 and head["count"] == head["total"] == len(rows) == 22, head  # 11 rocks, 7 spheres, 4 members; no bodies
 assert sorted(row[5] for row in rows)[:11] == [0] * 11 and [row[5] for row in rows].count(2) == 5
-assert all(abs(sum(q * q for q in row[6:]) - 1) < 1e-5 for row in rows if row[5])
+frame = open(sys.argv[2]).read().split("ITEM: TIMESTEP")[1].split("ITEM: ATOMS ")[1].split("\n")  # w x y z in the dump, x y z w in the view
+dumped = [dict(zip(frame[0].split(), map(float, line.split()))) for line in frame[1:] if line]
+for rock in (one for one in dumped if one["rock_shape"] >= 0):
+    row = min(rows, key=lambda row: sum((row[d] - rock["xyz"[d]]) ** 2 for d in range(3)))
+    assert row[5] == rock["rock_shape"] + 1 and all(abs(row[6 + d] - rock["quat" + "ijkw"[d]]) < 1e-6 for d in range(4)), (row, rock)
 urllib.request.urlopen(urllib.request.Request(url + "go", method="POST"))
 PY
 address() {
@@ -139,7 +143,7 @@ address() {
 viewed() { # RANKS
     on "$1" "$scree" run mixed.yaml -o "viewed$1" --quiet --view --paused >"viewed$1.said" 2>&1 &
     local job=$!
-    wait_until address "viewed$1.said" && python3 look.py "$url"
+    wait_until address "viewed$1.said" && python3 look.py "$url" "viewed$1/dump.lammpstrj"
     local status=$?
     [ $status = 0 ] || kill $job
     wait $job && return $status

@@ -80,6 +80,10 @@ check 'equal volume is the rule' masses 8.37758 1.33702
 check 'size: grain scales the ball' masses 3.50511 1 --set bodies.shapes[0].size=grain
 check 'size: drawn has the size of the entry' masses 2 0.829423 --set bodies.shapes[0].size=drawn
 
+# A file whose radii are those of the volume: those above a bound stay out, by the radii of the file
+printf 'x y z radius\n2 2 2 0.4\n6 6 6 0.5\n2 6 4 0.42\n' >table.txt
+check 'a file, with a bound' masses 0.620678 0.56155 --set 'particles={from: file, file: table.txt, format: table, shape: cube, radius_above: 0.41, radius_upto: 0.45}'
+
 # A box around a packing of rocks, with sand between them: the fractions are true ones, and no balls overlap
 cat >packed.yaml <<'YAML'
 units: none
