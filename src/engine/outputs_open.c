@@ -66,10 +66,15 @@ static bool grids_open(struct outputs *o, const struct output_view *view, bool r
     return good;
 }
 
-static bool files_open(struct outputs *o, const struct comm *comm, int64_t step, struct error *error) {
+static bool files_open(struct outputs *o, const struct simulation *s, int64_t step, struct error *error) {
+    const struct comm *comm = s->comm;
     char path[FILE_PATH_MAX];
     if (h5md_wanted(o)) {
+        PHYSICS_EACH (active, &s->physics, shown)
+            if (active->row->shown->shapes)
+                active->row->shown->shapes(&active->context, &o->shapes);
         struct h5md_head head = {.lineage = o->run->lineage,
+                                 .shapes = &o->shapes,
                                  .dimensionless = o->run->dimensionless || !o->options->trajectory.units,
                                  .single = o->options->trajectory.precision == OUTPUT_SINGLE,
                                  .deflate = (int)o->options->trajectory.deflate,
@@ -147,7 +152,7 @@ bool outputs_open(struct outputs *o, const struct simulation *s, bool resumed, s
     int64_t step = resumed ? (int64_t)s->clock.step : -1;
     bool good = o->observables == NULL || observables_open(o->observables, s->comm, o->run->directory,
                                                            resumed ? s->clock.time : -1, error);
-    good = good && grids_open(o, &view, resumed, error) && files_open(o, s->comm, step, error);
+    good = good && grids_open(o, &view, resumed, error) && files_open(o, s, step, error);
     PHYSICS_EACH (active, &s->physics, table)
         good = good && active->row->table->open(&active->context, o->run->directory, step, error);
     return comm_agree(s->comm, error) && good;
@@ -170,6 +175,7 @@ bool outputs_close(struct outputs **outputs, const struct comm *comm, struct err
     for (int k = 0; k < o->options->observables.grids; k++)
         observables_grid_close(&o->grid[k]);
     wall_frames_close(&o->walls);
+    output_shapes_free(&o->shapes);
     if (o->observables)
         observables_destroy(&o->observables);
     memory_free(o);

@@ -79,6 +79,41 @@ listed() {
     on 1 "$scree" convert run all.pvd && [ "$(grep -c 'file="all-[0-9]*.vtp"' all.pvd)" = 3 ] && cmp all-20.vtp last.vtp && cmp all-0.vtp first.vtp && python3 shown.py all-10.vtp 0.001
 }
 check 'a list of all frames' listed
+
+# The shapes in the trajectory, turned and scaled by the fields of its last frame, are what convert writes
+cat >shapes.py <<'PY'
+import struct, sys
+import h5py
+import numpy as np
+with h5py.File(sys.argv[1]) as f:
+    q, number, radius, x = (f[f"particles/all/{name}/value" if isinstance(f[f"particles/all/{name}"], h5py.Group) else f"particles/all/{name}"] for name in ("rock_orientation", "rock_shape", "radius", "position"))
+    q, number, radius, x = (a[-1] if a.ndim > b else a[:] for a, b in ((q, 2), (number, 1), (radius, 1), (x, 2)))
+    corners = []
+    for k in np.flatnonzero(number >= 0):
+        shape = f[f"parameters/shapes/{number[k]}"]
+        w, u = q[k, 0], q[k, 1:]
+        c = shape["corners"][:] * radius[k] / shape.attrs["radius"]
+        corners.append(x[k] + c + 2 * np.cross(u, np.cross(u, c) + w * c))
+        start, ring = shape["polygon_start"][:], shape["polygon_corners"][:]
+        assert start[0] == 0 and start[-1] == len(ring) and 0 <= ring.min() and ring.max() == len(c) - 1
+    assert f["parameters/shapes/1"].attrs["name"] == b"cube" and "0" not in f["parameters/shapes"]
+data = open(sys.argv[2], "rb").read().split(b'<AppendedData encoding="raw">\n_')[1]
+size, = struct.unpack("<Q", data[:8])
+drawn = np.frombuffer(data[8:8 + size]).reshape(-1, 3)
+assert np.abs(np.concatenate(corners) - drawn).max() < 1e-12, np.abs(np.concatenate(corners) - drawn).max()
+PY
+reader=
+for python in "${PYTHON:-python3}" /usr/bin/python3; do [ -n "$reader" ] || ! "$python" -c 'import h5py, numpy' 2>/dev/null || reader=$python; done
+shapes() { # RANKS
+    run_scene "$1" mixed.yaml "shapes$1" && on 1 "$scree" convert "shapes$1/trajectory.h5" shapes.vtp --overwrite && "$reader" shapes.py "shapes$1/trajectory.h5" shapes.vtp
+}
+if [ -n "$reader" ]; then
+    check 'a trajectory has the corners and polygons of its shapes' shapes 1
+    check 'written by 3 ranks, too' shapes 3
+else
+    skip 'shapes in a trajectory: no h5py here'
+fi
+
 refuses() { # WORDS COMMAND...: status 2
     local words=$1 status=0
     shift

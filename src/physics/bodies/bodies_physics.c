@@ -189,6 +189,10 @@ static void full_step(const struct physics_context *context) {
     bodies_motion_full_step(context->self, context);
 }
 
+static void shapes(const struct physics_context *context, struct output_shapes *list) {
+    bodies_shapes_show(context->self, list);
+}
+
 static void restart(const struct physics_context *context, struct restart *list) {
     struct bodies *bodies = context->self;
     restart_add(list, RESTART_REAL, false, &bodies->before, "bodies: length of the last step");
@@ -310,7 +314,7 @@ static const struct physics_joints joints = {.joined = joined,
                                              .ease = ease,
                                              .stiffen = stiffen,
                                              .stiffest = stiffest};
-static const struct physics_shown shown = {.full_step = full_step};
+static const struct physics_shown shown = {.full_step = full_step, .shapes = shapes};
 
 const struct physics bodies_physics = {.name = "bodies",
                                        .box_moves = true,

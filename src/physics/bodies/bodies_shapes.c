@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* Makes the shapes of a scene. Read bodies_shapes.h first. */
 #include "physics/bodies/bodies_shapes.h"
+#include "physics/bodies/shapes/chamfer.h"
 #include "base/memory.h"
 #include <math.h>
 #include <stdio.h>
@@ -65,4 +66,24 @@ bool bodies_shapes_make(struct bodies *bodies, const struct scene *scene,
         spans_find(&clump[first], variants);
     }
     return true;
+}
+
+void bodies_shapes_show(const struct bodies *bodies, struct output_shapes *shapes) {
+    for (int k = 0; k < bodies->shapes; k++) {
+        const struct clump *clump = &bodies->clump[k];
+        struct chamfer surface;
+        if (clump->core.faces == 0)
+            continue;
+        struct output_shape *shape = output_shapes_add(shapes);
+        chamfer_make(&surface, &clump->core, clump->rounding);
+        *shape = (struct output_shape){.number = k,
+                                       .radius = clump->extent,
+                                       .rounding = clump->rounding,
+                                       .corners = surface.corners,
+                                       .polygons = surface.polygons,
+                                       .corner = surface.corner,
+                                       .start = surface.start,
+                                       .ring = surface.ring};
+        snprintf(shape->name, sizeof shape->name, "%s", bodies->entry[k]->name);
+    }
 }
