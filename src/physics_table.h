@@ -10,6 +10,11 @@
  *   NAME_fields       void (struct particles *)   registers its fields (kernel/particles/fields.h)
  *   NAME_observables  struct observable_table     its observables (data/observe/observables_kinds.h)
  *
+ * PHYSICS_FINISHED has those of them that derive something from a scene after it has been read, before its box is known. A row stands for
+ *
+ *   NAME_finish       bool (struct scene *, struct error *)
+ *                                                 fills the members that no key names; false: a user's error
+ *
  * PHYSICS_ALWAYS has those that every run has, before all others, as the first list of pairs is theirs. A row stands for
  *
  *   NAME_physics      struct physics              without `create`
@@ -35,6 +40,8 @@
         "a solver finds the forces of contacts at the end of each step: long steps for stiff grains")
 #define PHYSICS_TABLE(ROW) PHYSICS_SECTION_TABLE(ROW) PHYSICS_CONTACT_TABLE(ROW)
 
+#define PHYSICS_FINISHED(ROW) ROW(bodies)
+
 #define PHYSICS_ALWAYS(ROW) ROW(grains)
 
 #define PHYSICS_ENUMERATOR(name, key, whose, summary) PHYSICS_##name,
@@ -50,7 +57,9 @@ enum physics_number {
 /* Every file that uses or defines such an object declares it in this way. */
 struct particles;
 struct physics_context;
+struct scene;
 struct error;
+#define PHYSICS_DECLARE_FINISH(name) bool name##_finish(struct scene *scene, struct error *error);
 #define PHYSICS_DECLARE(name, key, whose, summary)                                                           \
     extern const struct physics name##_physics;                                                              \
     extern const struct schema_table name##_schema;                                                          \
@@ -60,8 +69,10 @@ struct error;
     extern const struct physics name##_physics;                                                              \
     bool name##_start(struct physics_context *context, struct error *error);
 PHYSICS_TABLE(PHYSICS_DECLARE)
+PHYSICS_FINISHED(PHYSICS_DECLARE_FINISH)
 PHYSICS_ALWAYS(PHYSICS_DECLARE_ALWAYS)
 #undef PHYSICS_DECLARE
+#undef PHYSICS_DECLARE_FINISH
 #undef PHYSICS_DECLARE_ALWAYS
 
 /* The particles that a physics makes. */

@@ -27,15 +27,16 @@ check_PROGRAMS += \
 	%D%/mpi/test_groups %D%/mpi/test_h5md %D%/mpi/test_h5md_read %D%/mpi/test_h5md_run %D%/mpi/test_library \
 	%D%/mpi/test_migrate %D%/mpi/test_mover %D%/mpi/test_observables %D%/mpi/test_projection \
 	%D%/mpi/test_regions %D%/mpi/test_report %D%/mpi/test_scene_ranks %D%/mpi/test_shadows %D%/mpi/test_shear \
-	%D%/mpi/test_solve %D%/mpi/test_solve_interface %D%/mpi/test_stress %D%/physics/bodies/shapes/test_solid \
-	%D%/physics/bodies/shapes/test_stiff %D%/physics/bodies/shapes/test_touch %D%/physics/bodies/test_bodies \
-	%D%/physics/bodies/test_clump %D%/physics/bonds/test_bonds %D%/physics/bonds/test_bonds_links \
-	%D%/physics/drag/test_drag %D%/physics/fluid/carried/test_fluid_layer \
-	%D%/physics/fluid/carried/test_fluid_scalar_links %D%/physics/fluid/coupling/test_fluid_grain_coupling \
-	%D%/physics/fluid/coupling/test_fluid_grain_surfaces %D%/physics/fluid/coupling/test_fluid_rigid \
-	%D%/physics/fluid/lattice/test_fluid_arrangement %D%/physics/fluid/lattice/test_fluid_body_surfaces \
-	%D%/physics/fluid/lattice/test_fluid_mirror %D%/physics/fluid/lattice/test_fluid_pattern \
-	%D%/physics/fluid/lattice/test_fluid_walls %D%/physics/fluid/operators/test_fluid_correction_tensors \
+	%D%/mpi/test_solve %D%/mpi/test_solve_interface %D%/mpi/test_stress %D%/physics/bodies/shapes/test_chamfer \
+	%D%/physics/bodies/shapes/test_solid %D%/physics/bodies/shapes/test_stiff \
+	%D%/physics/bodies/shapes/test_touch %D%/physics/bodies/test_bodies %D%/physics/bodies/test_clump \
+	%D%/physics/bonds/test_bonds %D%/physics/bonds/test_bonds_links %D%/physics/drag/test_drag \
+	%D%/physics/fluid/carried/test_fluid_layer %D%/physics/fluid/carried/test_fluid_scalar_links \
+	%D%/physics/fluid/coupling/test_fluid_grain_coupling %D%/physics/fluid/coupling/test_fluid_grain_surfaces \
+	%D%/physics/fluid/coupling/test_fluid_rigid %D%/physics/fluid/lattice/test_fluid_arrangement \
+	%D%/physics/fluid/lattice/test_fluid_body_surfaces %D%/physics/fluid/lattice/test_fluid_mirror \
+	%D%/physics/fluid/lattice/test_fluid_pattern %D%/physics/fluid/lattice/test_fluid_walls \
+	%D%/physics/fluid/operators/test_fluid_correction_tensors \
 	%D%/physics/fluid/operators/test_fluid_gradient_correction %D%/physics/fluid/operators/test_fluid_mls \
 	%D%/physics/fluid/operators/test_fluid_operators %D%/physics/fluid/schemes/test_fluid_drive \
 	%D%/physics/fluid/schemes/test_fluid_open_sides %D%/physics/fluid/schemes/test_fluid_particle_shift \
@@ -73,24 +74,25 @@ EXTRA_DIST += \
 	%D%/granular/sheared_0.dump.gz %D%/granular/sheared_2.5.dump.gz %D%/granular/twisting_marshall.dump.gz \
 	%D%/granular/twisting_sds.dump.gz %D%/granular/wall.data %D%/granular/wall_hertz.dump.gz \
 	%D%/granular/wall_laws %D%/granular/wall_rolling.dump.gz %D%/granular/wall_twisting.dump.gz %D%/launch \
-	%D%/lsan.supp %D%/mutants.txt %D%/mutate %D%/without_cmocka/cmocka.h
+	%D%/lsan.supp %D%/mutants.txt %D%/mutate %D%/physics/bodies/shapes/fcl_pairs.cpp %D%/without_cmocka/cmocka.h
 tests_physics_bodies_shapes_test_touch_CPPFLAGS = $(AM_CPPFLAGS) $(CCD_CFLAGS)
 tests_physics_bodies_shapes_test_touch_LDADD = $(LDADD) $(CCD_LIBS)
 tests_physics_grains_batch_test_force_loop_CPPFLAGS = $(AM_CPPFLAGS) $(KERNEL_CPPFLAGS)
 
-dist_check_SCRIPTS += %D%/crosscode.sh %D%/granular_lammps.sh %D%/lint
+dist_check_SCRIPTS += %D%/crosscode.sh %D%/granular_lammps.sh %D%/lint %D%/rock_distance.sh
+tests/rock_distance.log: tests/physics/bodies/shapes/rock_pairs
 
 # make tests/bench_NAME: times of the force loop, what memory and units give at most, indexes, and what has the length of
 # the rank count. checkpoint_lines is a tool of tests/app.
 EXTRA_PROGRAMS += \
 	%D%/bench_force %D%/bench_triad %D%/checkpoint_lines %D%/index/bench_index %D%/mpi/bench_ranks \
-	%D%/physics/hard/oracle
+	%D%/physics/bodies/shapes/rock_pairs %D%/physics/hard/oracle
 CLEANFILES += %D%/bench_force %D%/bench_triad %D%/checkpoint_lines %D%/index/bench_index %D%/mpi/bench_ranks
 # oracle.sh solves contact problems again by Siconos, where that is there
 if HAVE_SICONOS
 tests/app/oracle.log: tests/physics/hard/oracle
 endif
-CLEANFILES += %D%/physics/hard/oracle
+CLEANFILES += %D%/physics/hard/oracle %D%/physics/bodies/shapes/rock_pairs
 tests_physics_hard_oracle_CPPFLAGS = $(AM_CPPFLAGS) $(SICONOS_CFLAGS)
 tests_physics_hard_oracle_LDADD = $(SICONOS_LIBS) $(HDF5_LIBS) $(MPI_LIBS)
 tests/app/bench.log: tests/bench_triad tests/index/bench_index

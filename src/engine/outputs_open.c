@@ -68,10 +68,15 @@ static bool grids_open(struct outputs *o, const struct output_view *view, bool r
     return good;
 }
 
-static bool files_open(struct outputs *o, const struct comm *comm, int64_t step, struct error *error) {
+static bool files_open(struct outputs *o, const struct comm *comm, const struct physics_set *set,
+                       int64_t step, struct error *error) {
     char path[FILE_PATH_MAX];
     if (h5md_wanted(o)) {
+        PHYSICS_EACH (active, set, shown)
+            if (active->row->shown->shapes)
+                active->row->shown->shapes(&active->context, &o->shapes);
         struct h5md_head head = {.lineage = o->run->lineage,
+                                 .shapes = &o->shapes,
                                  .dimensionless = o->run->dimensionless || !o->options->trajectory.units,
                                  .single = o->options->trajectory.precision == OUTPUT_SINGLE,
                                  .deflate = (int)o->options->trajectory.deflate,
@@ -148,7 +153,7 @@ bool outputs_open(struct outputs *o, const struct output_view *view, const struc
     int64_t step = resumed ? (int64_t)view->step : -1;
     bool good = o->observables == NULL || observables_open(o->observables, view->comm, o->run->directory,
                                                            resumed ? view->time : -1, error);
-    good = good && grids_open(o, view, resumed, error) && files_open(o, view->comm, step, error);
+    good = good && grids_open(o, view, resumed, error) && files_open(o, view->comm, set, step, error);
     PHYSICS_EACH (active, set, table)
         good = good && active->row->table->open(&active->context, o->run->directory, step, error);
     return comm_agree(view->comm, error) && good;
@@ -171,6 +176,7 @@ bool outputs_close(struct outputs **outputs, const struct comm *comm, struct err
     for (int k = 0; k < o->options->observables.grids; k++)
         observables_grid_close(&o->grid[k]);
     wall_frames_close(&o->walls);
+    output_shapes_free(&o->shapes);
     if (o->observables)
         observables_destroy(&o->observables);
     memory_free(o);

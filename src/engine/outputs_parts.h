@@ -6,6 +6,7 @@
 #include "engine/outputs.h"
 #include "data/formats/dump.h"
 #include "data/formats/h5md.h"
+#include "data/formats/output_shapes.h"
 #include "data/formats/wall_frames.h"
 #include "data/observe/observables_grid.h"
 
@@ -15,6 +16,7 @@ struct outputs {
     struct observables *observables;      /* NULL: not asked for */
     bool row_written;                     /* of the observables */
     struct h5md *h5md;
+    struct output_shapes shapes; /* for it */
     struct dump *dump;
     struct wall_frames *walls;
     struct grid *grid[OUTPUT_GRIDS_MAX];

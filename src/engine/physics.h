@@ -137,6 +137,7 @@ struct physics_grain {
     double radius, density; /* mass over volume of its sphere */
     int64_t id;             /* chooses between the variants of what it becomes ... */
     int variant;            /* ... or this number does; -1: the id */
+    int shape;              /* what its source names (struct source_form); 0: material and radius choose */
 };
 
 /* A sphere of which a grain is made. */
@@ -244,7 +245,8 @@ struct physics_table {
 };
 
 struct notes;
-struct report_part; /* report_part.h */
+struct output_shapes; /* data/formats/output_shapes.h */
+struct report_part;   /* report_part.h */
 
 /* Facet of a physics with more to show than fields and observables. */
 struct physics_shown {
@@ -257,6 +259,8 @@ struct physics_shown {
     void (*view)(const struct physics_context *context, struct output_view *view);
     void (*report)(const struct physics_context *context, struct report_part *part);
     void (*notes)(const struct physics_context *context, struct notes *notes);
+    /* Adds the shapes that orientations in its fields are of. NULL: none. Any rank. */
+    void (*shapes)(const struct physics_context *context, struct output_shapes *shapes);
     /* Notes at the end of a run that began at step `first`, on what it has seen. NULL: none. Any rank. */
     void (*seen)(const struct physics_context *context, uint64_t first, struct notes *notes);
 };

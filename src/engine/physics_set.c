@@ -153,7 +153,8 @@ static bool part_made(const struct physics_set *set, const struct physics_grain 
 bool physics_part(const struct physics_set *set, const struct physics_grain *grain, int number,
                   struct physics_part *part) {
     struct physics_part first;
-    const struct physics_grain any = {grain->material, grain->radius, grain->density, grain->id, -1};
+    struct physics_grain any = *grain;
+    any.variant = -1;
     if (part_made(set, grain, number, part))
         return true;
     if (number > 0 || grain->variant > 0 || part_made(set, &any, 0, &first))

@@ -7,6 +7,7 @@
 #include "engine/rebuild_rows.h"
 #include "engine/index_view.h"
 #include "kernel/particles/material.h"
+#include "kernel/particles/shape.h"
 #include "kernel/particles/spin.h"
 #include "base/memory.h"
 #include "kernel/particles/groups.h"
@@ -55,7 +56,8 @@ bool sources_prepare(struct sources *sources, const struct scene *scene, struct 
 }
 
 static struct physics_grain grain_of(const struct insertion_candidate *candidate, int64_t id) {
-    return (struct physics_grain){candidate->material, candidate->radius, candidate->density, id, -1};
+    return (struct physics_grain){candidate->material, candidate->radius, candidate->density, id, -1,
+                                  candidate->shape};
 }
 
 static double mass_of(const void *context, const struct insertion_candidate *candidate, int64_t id) {
@@ -315,6 +317,7 @@ static void candidate_append(struct particles *particles, const struct scene *sc
     double(*omega)[4] = spin_of(particles), *density = groups_densities(particles);
     double *temperature = fields_numbers(particles, "temperature");
     uint8_t *material = material_numbers(particles), *group = groups_of(particles);
+    int32_t *shape = shape_numbers(particles);
     if (omega)
         memcpy(omega[k], candidate->omega, sizeof candidate->omega);
     if (material)
@@ -325,6 +328,8 @@ static void candidate_append(struct particles *particles, const struct scene *sc
         density[k] = candidate->density;
     if (temperature)
         temperature[k] = candidate->temperature;
+    if (shape)
+        shape[k] = candidate->shape;
 }
 
 /* An accepted candidate enters, on the rank that owns its position; all ranks advance the next id. Returns its mass. */

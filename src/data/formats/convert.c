@@ -15,6 +15,7 @@
 #include "kernel/particles/groups.h"
 
 #include <inttypes.h>
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
@@ -197,6 +198,55 @@ bool convert_read(const char *in, int64_t frame, const struct comm *comm, struct
     return read_frame(&c, frame, rows, error);
 }
 
+/* A component of a field, or the length of a vector. */
+static double value_of(const struct field *field, const void *at, int component) {
+    double square = 0;
+    if (component >= 0 || field->components == 1)
+        return fields_component(field, at, component < 0 ? 0 : component);
+    for (int k = 0; k < field->components; k++)
+        square += fields_component(field, at, k) * fields_component(field, at, k);
+    return sqrt(square);
+}
+
+static void values_take(const struct particles *p, int f, int component, struct h5md_values *values) {
+    size_t stride;
+    const char *base = fields_base(p, f, &stride);
+    int64_t(*order)[2] = memory_allocate(p->owned, sizeof *order, "rows by id");
+    *values = (struct h5md_values){p->owned, memory_allocate(p->owned, sizeof *values->id, "ids"),
+                                   memory_allocate(p->owned, sizeof *values->value, "values of a field")};
+    for (size_t k = 0; k < p->owned; k++) {
+        order[k][0] = p->id[k];
+        order[k][1] = (int64_t)k;
+    }
+    qsort(order, p->owned, sizeof *order, compare_ids);
+    for (size_t k = 0; k < p->owned; k++) {
+        values->id[k] = order[k][0];
+        values->value[k] = value_of(fields_get(p, f), base + (size_t)order[k][1] * stride, component);
+    }
+    memory_free(order);
+}
+
+bool convert_values(const char *checkpoint, const char *name, int component, const struct comm *comm,
+                    struct h5md_values *values, struct error *error) {
+    struct checkpoint_loaded loaded;
+    struct particles *particles = particles_create(0);
+    *values = (struct h5md_values){0};
+    frame_register_all(particles);
+    bool good = checkpoint_read(comm, checkpoint, particles, &loaded, error);
+    if (good) {
+        const int f = fields_find(particles, name);
+        good = f >= 0 && loaded.field_read[f] && component < fields_get(particles, f)->components;
+        if (good)
+            values_take(particles, f, component, values);
+        else
+            error_set(error, ERROR_USER, "%s: has no field %s, or not component %d of it", checkpoint, name,
+                      component);
+        checkpoint_loaded_free(&loaded);
+    }
+    particles_destroy(&particles);
+    return good;
+}
+
 /* The frames asked for: [first, last). */
 static bool choose_frames(const struct converting *c, uint64_t *first, uint64_t *last, struct error *error) {
     *first = 0;
@@ -308,8 +358,11 @@ bool convert_file(const char *in, const char *out, const struct convert_options 
     struct converting c = {.in = in, .out = out, .options = options, .comm = comm};
     c.to = options->to == CONVERT_BY_NAME ? format_of_name(out) : options->to;
     if (c.to == CONVERT_BY_NAME)
-        return error_set(error, ERROR_USER,
-                         "%s: the format is not clear from this name (.data, .lammpstrj, .h5, .xdmf)", out);
+        return error_set(
+            error, ERROR_USER,
+            "%s: the format is not clear from this name (.data, .lammpstrj, .h5, .xdmf; faces of rocks: "
+            ".vtp, .pvd)",
+            out);
     if (!info_kind(in, &c.kind, error) || !count_frames(&c, error))
         return false;
     if (same_file(in, out))

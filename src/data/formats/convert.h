@@ -29,6 +29,12 @@ enum convert_format convert_format_find(const char *name);
 bool convert_read(const char *in, int64_t frame, const struct comm *comm, struct rows *rows, uint64_t *frames,
                   struct error *error);
 
+/* Reads the values of any field of a checkpoint by its name, by id, ids rising: component `component` (0 ...), or where it is below 0 the length
+ * of a vector. memory_free releases both arrays. comm is that of one rank. False (user) where the checkpoint lacks the field. */
+struct h5md_values;
+bool convert_values(const char *checkpoint, const char *name, int component, const struct comm *comm,
+                    struct h5md_values *values, struct error *error);
+
 /* Converts. comm is that of one rank. */
 bool convert_file(const char *in, const char *out, const struct convert_options *options,
                   const struct comm *comm, struct error *error);

@@ -36,6 +36,7 @@ bool h5md_open(struct h5md **h5md, const struct comm *comm, const char *path, co
     snprintf(made->path, sizeof made->path, "%s", path);
     snprintf(made->xdmf_path, sizeof made->xdmf_path, "%.*s.xdmf", (int)(length - 3), path);
     made->lineage = head->lineage;
+    made->shapes = head->shapes;
     *h5md = made;
     int64_t present = comm->rank == 0 && resume_step >= 0 && file_size(path) >= 0;
     comm_max_int(comm, &present, 1);

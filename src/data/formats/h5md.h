@@ -16,8 +16,9 @@ struct h5md;
 
 /* The data for the head of the file. */
 struct h5md_head {
-    const struct lineage *lineage; /* for /parameters/runs; borrowed; NULL: none */
-    bool dimensionless;            /* no units are written */
+    const struct lineage *lineage;      /* for /parameters/runs; borrowed; NULL: none */
+    const struct output_shapes *shapes; /* for /parameters/shapes; borrowed; NULL: none */
+    bool dimensionless;                 /* no units are written */
     bool varying;
     bool xdmf;
     bool single; /* values of each frame are floats, not doubles */

@@ -7,6 +7,7 @@
 
 #include "data/formats/h5.h"
 #include "data/formats/lineage.h"
+#include "data/formats/output_shapes.h"
 #include "data/formats/xdmf.h"
 
 /* An element of /particles/all in the file. */
@@ -26,8 +27,9 @@ struct h5md {
     bool single; /* elements that this run makes */
     int deflate;
     uint64_t seed;
-    const struct lineage *lineage; /* borrowed; NULL: none */
-    bool made;                     /* the file exists */
+    const struct lineage *lineage;      /* borrowed; NULL: none */
+    const struct output_shapes *shapes; /* borrowed; NULL: none */
+    bool made;                          /* the file exists */
 
     int elements;
     struct h5md_element element[XDMF_COLUMNS_MAX];

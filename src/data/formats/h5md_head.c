@@ -113,14 +113,16 @@ static bool write_parameters(const struct h5md *h5md, const struct h5 *h5, struc
     int64_t seed = (int64_t)h5md->seed;
     if (!h5_make_group(h5, "/parameters", error) || !h5_make_group(h5, "/observables", error))
         return false;
-    return h5md_write_runs(h5md, h5, error) && h5_write_table(h5, "/parameters/seed", &table, &seed, error);
+    return h5md_write_runs(h5md, h5, error) && h5md_write_shapes(h5md, h5, error) &&
+           h5_write_table(h5, "/parameters/seed", &table, &seed, error);
 }
 
 bool h5md_make_file(struct h5md *h5md, const struct box *box, struct error *error) {
     enum { ROOM_HEAD = 1 << 16 };
     struct h5 h5;
     if (h5md->comm->rank == 0)
-        file_check_room(h5md->path, 0, ROOM_HEAD, error);
+        file_check_room(h5md->path, 0, ROOM_HEAD + (h5md->shapes ? output_shapes_bytes(h5md->shapes) : 0),
+                        error);
     if (!comm_agree(h5md->comm, error) || !h5_create(&h5, h5md->path, h5md->comm, 0, error))
         return false;
     if (write_meta(h5md, &h5, error) && write_box(&h5, box, error))

@@ -4,6 +4,7 @@
 #include "base/memory.h"
 #include "base/file.h"
 #include "base/lines.h"
+#include "data/formats/vtp.h"
 #include <dirent.h>
 #include <inttypes.h>
 #include <math.h>
@@ -11,7 +12,7 @@
 #include <unistd.h>
 
 /* The text before the arrays of a frame is filled with blanks up to HEAD_BYTES, so that the places of the arrays follow
- * from the number of triangles. */
+ * from the number of triangles: walls.xdmf points to them. */
 enum { HEAD_BYTES = 2048 };
 
 struct wall_frame {
@@ -39,18 +40,6 @@ static const struct {
     [FORCE] = {"force", "Float64", "Float", 8, 3, 1},
     [PRESSURE] = {"pressure", "Float64", "Float", 8, 1, 1},
 };
-
-static uint64_t array_bytes(enum array k, uint64_t triangles) {
-    return (uint64_t)(arrays[k].bytes * arrays[k].components * arrays[k].rows) * triangles;
-}
-
-/* Place of an array behind the head: each begins with its length in 8 bytes. */
-static uint64_t array_place(enum array k, uint64_t triangles) {
-    uint64_t place = 0;
-    for (int before = 0; before < (int)k; before++)
-        place += 8 + array_bytes((enum array)before, triangles);
-    return place;
-}
 
 double wall_frames_bytes(double triangles) {
     double each = 0;
@@ -126,100 +115,72 @@ bool wall_frames_open(struct wall_frames **frames, const struct comm *comm, cons
     return false;
 }
 
-static void write_array(FILE *file, enum array k, uint64_t triangles, const void *data) {
-    uint64_t bytes = array_bytes(k, triangles);
-    fwrite(&bytes, sizeof bytes, 1, file);
-    fwrite(data, 1, bytes, file);
+/* The arrays of a frame without their data. */
+static void arrays_find(struct vtp_array array[ARRAYS], uint64_t triangles) {
+    for (int k = 0; k < ARRAYS; k++)
+        array[k] = (struct vtp_array){.name = arrays[k].name,
+                                      .type = arrays[k].type,
+                                      .bytes = arrays[k].bytes,
+                                      .components = arrays[k].components,
+                                      .rows = (uint64_t)arrays[k].rows * triangles};
 }
 
-static void write_reference(char **text, size_t *room, enum array k, uint64_t triangles) {
-    int used = snprintf(*text, *room,
-                        "<DataArray type=\"%s\" Name=\"%s\" NumberOfComponents=\"%d\" format=\"appended\" "
-                        "offset=\"%" PRIu64 "\"/>\n",
-                        arrays[k].type, arrays[k].name, arrays[k].components, array_place(k, triangles));
-    *text += used;
-    *room -= (size_t)used;
-}
-
-static void write_text(char **text, size_t *room, const char *words) {
-    int used = snprintf(*text, *room, "%s", words);
-    *text += used;
-    *room -= (size_t)used;
-}
-
-static void write_head(FILE *file, const struct wall_frame *frame) {
-    static const char data[] = "<AppendedData encoding=\"raw\">\n_";
-    const union {
-        uint16_t number;
-        uint8_t byte[2];
-    } order = {.number = 1};
-    char head[HEAD_BYTES + 1], *text = head;
-    size_t room = sizeof head;
-    int used = snprintf(
-        text, room,
-        "<?xml version=\"1.0\"?>\n<VTKFile type=\"PolyData\" version=\"1.0\" byte_order=\"%s\" "
-        "header_type=\"UInt64\">\n<PolyData>\n<FieldData><DataArray type=\"Float64\" "
-        "Name=\"TimeValue\" NumberOfTuples=\"1\" format=\"ascii\">%.17g</DataArray></FieldData>\n"
-        "<Piece NumberOfPoints=\"%" PRIu64 "\" NumberOfVerts=\"0\" NumberOfLines=\"0\" "
-        "NumberOfStrips=\"0\" NumberOfPolys=\"%" PRIu64 "\">\n<Points>",
-        order.byte[0] ? "LittleEndian" : "BigEndian", frame->time, 3 * frame->triangles, frame->triangles);
-    text += used, room -= (size_t)used;
-    write_reference(&text, &room, POINTS, frame->triangles);
-    write_text(&text, &room, "</Points>\n<Polys>");
-    write_reference(&text, &room, CORNERS, frame->triangles);
-    write_reference(&text, &room, ENDS, frame->triangles);
-    write_text(&text, &room, "</Polys>\n<CellData Scalars=\"pressure\" Vectors=\"force\">");
-    for (int k = WALL; k < ARRAYS; k++)
-        write_reference(&text, &room, (enum array)k, frame->triangles);
-    write_text(&text, &room, "</CellData>\n</Piece>\n</PolyData>\n");
-    fprintf(file, "%s%*s%s", head, HEAD_BYTES - (int)strlen(head) - (int)strlen(data), "", data);
+/* The arrays of a frame; 5 numbers and 4 values a triangle are room for what the surface lacks. */
+static void arrays_fill(struct vtp_array array[ARRAYS], const struct wall_surface *surface, int64_t *number,
+                        double *value) {
+    const size_t count = surface->triangles;
+    arrays_find(array, count);
+    for (size_t k = 0; k < 3 * count; k++) {
+        number[k] = (int64_t)k;
+        value[k] = surface->load[k / 3][k % 3];
+    }
+    for (size_t k = 0; k < count; k++) {
+        double area = wall_surface_area(surface->corner[k]);
+        number[3 * count + k] = 3 * (int64_t)(k + 1);
+        number[4 * count + k] = surface->wall[k];
+        value[3 * count + k] = area > 0 ? surface->load[k][3] / area : 0;
+    }
+    array[POINTS].data = surface->corner;
+    array[CORNERS].data = number;
+    array[ENDS].data = number + 3 * count;
+    array[WALL].data = number + 4 * count;
+    array[FORCE].data = value;
+    array[PRESSURE].data = value + 3 * count;
 }
 
 /* Writes a frame: numbers in the layout of `arrays`. */
 static bool write_frame(const struct wall_frames *frames, const struct wall_frame *frame,
                         const struct wall_surface *surface, struct error *error) {
-    size_t count = surface->triangles;
-    int64_t *number = memory_allocate(3 * count, sizeof *number, "frame of walls");
-    double *value = memory_allocate(3 * count, sizeof *value, "frame of walls");
+    struct vtp_array array[ARRAYS];
+    const struct vtp_content content = {.time = frame->time,
+                                        .arrays = ARRAYS,
+                                        .array = array,
+                                        .scalars = "pressure",
+                                        .vectors = "force",
+                                        .head = HEAD_BYTES};
     char name[64], path[FILE_PATH_MAX];
     struct file_new file;
     frame_name(name, frame->step);
-    bool good = file_join(path, frames->directory, name, error) && file_new_open(&file, path, error);
-    if (good) {
-        write_head(file.stream, frame);
-        write_array(file.stream, POINTS, count, surface->corner);
-        for (size_t k = 0; k < 3 * count; k++)
-            number[k] = (int64_t)k;
-        write_array(file.stream, CORNERS, count, number);
-        for (size_t k = 0; k < count; k++)
-            number[k] = 3 * (int64_t)(k + 1);
-        write_array(file.stream, ENDS, count, number);
-        for (size_t k = 0; k < count; k++)
-            number[k] = surface->wall[k];
-        write_array(file.stream, WALL, count, number);
-        for (size_t k = 0; k < 3 * count; k++)
-            value[k] = surface->load[k / 3][k % 3];
-        write_array(file.stream, FORCE, count, value);
-        for (size_t k = 0; k < count; k++) {
-            double area = wall_surface_area(surface->corner[k]);
-            value[k] = area > 0 ? surface->load[k][3] / area : 0;
-        }
-        write_array(file.stream, PRESSURE, count, value);
-        fprintf(file.stream, "\n</AppendedData>\n</VTKFile>\n");
-        good = file_new_close(&file, error);
-    }
+    if (!file_join(path, frames->directory, name, error) || !file_new_open(&file, path, error))
+        return false;
+    int64_t *number = memory_allocate(5 * surface->triangles, sizeof *number, "frame of walls");
+    double *value = memory_allocate(4 * surface->triangles, sizeof *value, "frame of walls");
+    arrays_fill(array, surface, number, value);
+    vtp_write(file.stream, &content);
     memory_free(number);
     memory_free(value);
-    return good;
+    return file_new_close(&file, error);
 }
 
 static void write_item(FILE *file, const struct wall_frame *frame, enum array k, int components) {
-    uint64_t rows = array_bytes(k, frame->triangles) / (uint64_t)(arrays[k].bytes * components);
+    struct vtp_array array[ARRAYS];
+    arrays_find(array, frame->triangles);
+    uint64_t rows = array[k].rows * (uint64_t)array[k].components / (uint64_t)components;
     fprintf(file,
             "<DataItem Dimensions=\"%" PRIu64 " %d\" NumberType=\"%s\" Precision=\"%d\" Format=\"Binary\" "
             "Endian=\"Native\" Seek=\"%" PRIu64 "\">walls-%" PRIu64 ".vtp</DataItem>",
-            rows, components, arrays[k].number, arrays[k].bytes,
-            HEAD_BYTES + array_place(k, frame->triangles) + 8, frame->step);
+            rows, components, arrays[k].number, arrays[k].bytes, HEAD_BYTES + vtp_place(array, (int)k) + 8,
+            frame->step);
 }
 
 static bool write_xdmf(const struct wall_frames *frames, struct error *error) {

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* Sums over particles and contacts on a grid, and the file of the grid. Read observables_grid.h first. */
 #include "data/observe/observables_grid.h"
+#include "data/observe/observables_kinds.h"
 
 #include "base/memory.h"
 #include "base/file.h"
@@ -147,13 +148,12 @@ static void deposit(struct grid *g, const struct box *box, struct point *point) 
 
 static void add_particle(struct grid *g, const struct output_view *view, size_t i) {
     const struct particle_state *state = &view->particles->state[i];
-    double r = state->radius;
     struct point point = {.mass = 1 / state->inverse_mass, .count = STATIC};
     integrator_full_step(view->particles, view->motion, i, point.v, NULL);
     memcpy(point.x, state->x, sizeof point.x);
     point.value[NUMBER] = 1;
     point.value[MASS] = point.mass;
-    point.value[SOLID] = view->box->dimension == 2 ? M_PI * r * r : 4 * M_PI / 3 * r * r * r;
+    point.value[SOLID] = observables_solid(view, i);
     deposit(g, view->box, &point);
 }
 

@@ -2,6 +2,7 @@
 /* The table of all kinds of observables: those of the files beside this one, then those of each physics. */
 #include "data/observe/observables_kinds.h"
 #include "physics_table.h"
+#include <math.h>
 
 #define OBSERVABLES_OF(name, key, whose, summary) &name##_observables,
 static const struct observable_table *const of_physics[] = {PHYSICS_TABLE(OBSERVABLES_OF)};
@@ -44,4 +45,16 @@ int observables_count(void) {
 
 const struct observable_info *observables_get(int k) {
     return &observables_kind(k)->info;
+}
+
+double observables_solid_radius(const struct output_view *view, size_t i) {
+    const struct carried *carried = view->motion->carried;
+    const double *solid = carried ? carried->solid : NULL, own = view->particles->state[i].radius;
+    return solid && solid[i] > 0 ? solid[i] : own;
+}
+
+double observables_solid(const struct output_view *view, size_t i) {
+    const double own = view->particles->state[i].radius;
+    const double r = observables_solid_radius(view, i);
+    return view->box->dimension == 2 ? M_PI * own * own : 4 * M_PI / 3 * r * r * r;
 }

@@ -106,6 +106,12 @@ const struct observable_kind *observables_kind(int k);
  * rebuilds. */
 void observables_place(const struct output_view *view, size_t i, double x[3]);
 
+/* The radius of the sphere with the volume that owned particle i stands for: its own, of a member that of its share of the body's. */
+double observables_solid_radius(const struct output_view *view, size_t i);
+
+/* That volume; in two dimensions the area of its disc. */
+double observables_solid(const struct output_view *view, size_t i);
+
 /* The velocity of owned particle i, and the spin (NULL: not wanted), at the moment of its place: in a box that moves, that of the
  * image in the box, as images have velocities of their own. */
 void observables_velocity(const struct output_view *view, size_t i, double velocity[3], double omega[3]);

@@ -170,7 +170,7 @@ static void count_in_region(const struct output_view *view, const struct observa
 static void volume_in_region(const struct output_view *view, const struct observable_item *item, size_t i,
                              double *part) {
     if (observables_item_counts(view, item, i))
-        part[0] += particles_sphere_mass(view->particles->state[i].radius, 1);
+        part[0] += particles_sphere_mass(observables_solid_radius(view, i), 1);
 }
 
 #define OF(target, name, family, unit, components, help)                                                     \
@@ -205,7 +205,8 @@ static const struct observable_kind kinds[] = {
          OF(REGION, "count", "", "1", 1, "number of particles in a region; those of a fluid do not count"),
      .parts = 1,
      .of_particle = count_in_region},
-    {.info = OF(REGION, "solid_volume", "", "m3", 1, "volume of the particles whose centres are in a region"),
+    {.info = OF(REGION, "solid_volume", "", "m3", 1,
+                "volume of the particles whose centres are in a region; of bodies their own"),
      .parts = 1,
      .of_particle = volume_in_region},
 };

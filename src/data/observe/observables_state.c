@@ -82,9 +82,8 @@ static void add_counted(const struct output_view *view, const struct observable_
 /* Volumes; in two dimensions the areas of discs. */
 static void add_solid(const struct output_view *view, const struct observable_item *item, size_t i,
                       double *part) {
-    double r = view->particles->state[i].radius;
     if (observables_item_counts(view, item, i))
-        part[0] += view->box->dimension == 2 ? M_PI * r * r : 4 * M_PI / 3 * r * r * r;
+        part[0] += observables_solid(view, i);
 }
 
 static void finish_solid(const struct output_view *view, const struct observable_item *item, double *part) {
@@ -167,7 +166,7 @@ static const struct observable_kind kinds[] = {
     {.info =
          OF(ALL_OR_REGION, "solid_fraction", "", "1",
             "volume of the particles whose centres are in a region, or in the box, over its volume; in two "
-            "dimensions areas"),
+            "dimensions areas of discs; of bodies their own volumes"),
      .parts = 1,
      .of_particle = add_solid,
      .finish = finish_solid,

@@ -363,10 +363,32 @@ static bool finish_fields(struct scene *scene, struct error *error) {
     return true;
 }
 
+/* What physics derive from the scene; a shape needs the physics that has it. */
+static bool finish_physics(struct scene *scene, struct error *error) {
+    char key[80];
+    for (int k = 0; k < scene->sources + scene->insertions && !scene->physics_given[PHYSICS_bodies]; k++) {
+        bool source = k < scene->sources;
+        int number = source ? k : k - scene->sources;
+        const char *shape = source ? scene->source[number].shape : scene->insertion[number].shape;
+        snprintf(key, sizeof(key), "%s[%d].shape", source ? "particles.sources" : "insertions", number);
+        if (shape[0])
+            return scene_fail(
+                scene, error, key,
+                "'%s', and the scene has no section bodies; needed: an entry of this name there", shape);
+    }
+#define FINISH(name)                                                                                         \
+    if (scene->physics_given[PHYSICS_##name] && !name##_finish(scene, error))                                \
+        return false;
+    PHYSICS_FINISHED(FINISH)
+#undef FINISH
+    return true;
+}
+
 bool finish_scene(struct scene *scene, struct error *error) {
-    if (!finish_materials(scene, error) || !scene_files_sizes(scene, error) || !finish_box(scene, error) ||
-        !finish_pairs(scene, error) || !finish_walls(scene, error) || !finish_groups(scene, error) ||
-        !finish_sources(scene, error) || !finish_fields(scene, error))
+    if (!finish_materials(scene, error) || !scene_files_sizes(scene, error) ||
+        !finish_physics(scene, error) || !finish_box(scene, error) || !finish_pairs(scene, error) ||
+        !finish_walls(scene, error) || !finish_groups(scene, error) || !finish_sources(scene, error) ||
+        !finish_fields(scene, error))
         return false;
     finish_step(scene);
     scene_stages_finish(scene);

@@ -14,7 +14,8 @@ static double density_of(const struct insertion *insertion, double radius) {
 
 void insertion_weigh(struct insertion *insertion, insertion_mass *mass, const void *context) {
     enum { SAMPLE = 65536 };
-    struct insertion_candidate candidate = {.material = insertion->options.material};
+    struct insertion_candidate candidate = {.material = insertion->options.material,
+                                            .shape = insertion->options.form.shape};
     double sum = 0;
     for (int64_t k = 0; k < SAMPLE; k++) {
         struct random_sequence random = random_sequence(insertion->seed, RANDOM_RADIUS, (uint64_t)k);
@@ -73,8 +74,11 @@ void insertion_begin(const struct insertion *insertion, const struct insertion_s
     for (size_t k = 0; k < n; k++) {
         uint64_t number = state->placed + k;
         struct random_sequence random = sequence_of(insertion, number, 0);
-        candidate[k] = (struct insertion_candidate){
-            .number = number, .temperature = o->temperature, .material = o->material, .group = o->group};
+        candidate[k] = (struct insertion_candidate){.number = number,
+                                                    .temperature = o->temperature,
+                                                    .material = o->material,
+                                                    .group = o->group,
+                                                    .shape = o->form.shape};
         candidate[k].radius = sizes_draw(&insertion->sampler, &random);
         candidate[k].density = density_of(insertion, candidate[k].radius);
         for (int d = 0; d < 3; d++) {

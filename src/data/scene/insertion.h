@@ -33,8 +33,10 @@ struct insertion_options {
     double velocity[3], velocity_sigma;
     double omega[3];
     int material, group;
-    double density;     /* 0: the material's */
-    double temperature; /* NAN: that of the section heat */
+    double density;              /* 0: the material's */
+    double temperature;          /* NAN: that of the section heat */
+    char shape[SOURCE_NAME_MAX]; /* name of an entry of bodies; "": none */
+    struct source_form form;     /* no key */
 };
 
 struct deletion_options {
@@ -70,6 +72,7 @@ struct insertion_candidate {
     double radius, density;
     double temperature; /* NAN: that of the section heat */
     int material, group;
+    int shape; /* as in struct source_form */
     bool settled, accepted;
 };
 

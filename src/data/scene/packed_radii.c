@@ -45,7 +45,8 @@ bool packed_can_number(const struct packing *p) {
             continue;
         if (!sizes_prepare(&sampler, &options->sizes, p->error))
             return false;
-        double each = sizes_moment(&sampler, p->scene->box.dimension) * source_solid(p->scene, 1);
+        double each = source_form_solid(&options->form) * sizes_moment(&sampler, p->scene->box.dimension) *
+                      source_solid(p->scene, 1);
         all += options->count > 0 ? (double)options->count
                                   : options->volume_fraction * p->member[s].volume / each;
         if (!can_number(p, s, all))
@@ -81,8 +82,10 @@ static bool count_start(const struct packing *p, int source, size_t *count) {
     double mean = sizes_moment(&sampler, 1), each = source_solid(p->scene, 1);
     each *= sizes_moment(&sampler, p->scene->box.dimension);
     double free = 1 - excluded(p, source, mean) / m->volume;
-    double start = options->count > 0 ? ceil((double)options->count / free * (1 + surplus) + surplus_least)
-                                      : rint(options->volume_fraction * m->volume / each);
+    double start =
+        options->count > 0
+            ? ceil((double)options->count / free * (1 + surplus) + surplus_least)
+            : rint(options->volume_fraction * m->volume / (each * source_form_solid(&options->form)));
     if (free > 0 && !can_number(p, source, start))
         return false;
     snprintf(text, sizeof text,
@@ -105,12 +108,12 @@ static bool has_room(const struct packing *p, int source) {
         largest = fmax(largest, m->radii.radius[k]);
     for (int d = 0; d < p->box.dimension; d++)
         edge = p->box.periodic[d] ? fmin(edge, p->box.edge[d]) : edge;
-    if (m->radii.solid > solid_most * m->volume) {
-        snprintf(
-            text, sizeof text,
-            "the spheres' volume is %.3g, %.3g times that of the region: random packings hold about 0.64, "
-            "of very different sizes up to 0.9",
-            m->radii.solid, m->radii.solid / m->volume);
+    if (m->radii.balls > solid_most * m->volume) {
+        snprintf(text, sizeof text,
+                 "the %s is %.3g, %.3g times that of the region: random packings hold about 0.64, "
+                 "of very different sizes up to 0.9",
+                 options->form.shape > 0 ? "volume of the balls around the bodies" : "spheres' volume",
+                 m->radii.balls, m->radii.balls / m->volume);
         return packed_fail(p, source, options->count ? "count" : "volume_fraction", text);
     }
     if (edge < widths_least * largest) {

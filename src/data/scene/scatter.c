@@ -164,7 +164,7 @@ static bool place_one(struct placing *p, const struct draw *draw, struct source_
     relative(&p->scene->box, x, y);
     placegrid_add(p->grid, y, draw->radius);
     batch->rows.radius[p->placed++] = draw->radius;
-    p->reached += source_solid(p->scene, draw->radius);
+    p->reached += source_form_solid(&p->scene->source[p->source].form) * source_solid(p->scene, draw->radius);
     return true;
 }
 

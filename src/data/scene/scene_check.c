@@ -205,13 +205,18 @@ static bool check_random(const struct scene *scene, const struct source_options 
     snprintf(key, sizeof(key), "%s.volume_fraction", section);
     if (source->count > 0 && source->volume_fraction > 0)
         return scene_fail(scene, error, key, "beside count; %s", one_of_two);
-    double limit = scene->box.dimension == 2 ? 0.547 : 0.382;
-    if (source->sizes.law == SIZES_FIXED && source->volume_fraction > limit)
-        return scene_fail(scene, error, key,
-                          "%g: equal %s placed at random end at %g of the %s; from: packed, or a lattice, is "
-                          "denser",
-                          source->volume_fraction, scene->box.dimension == 2 ? "discs" : "spheres", limit,
-                          scene->box.dimension == 2 ? "area" : "volume");
+    double limit = scene->box.dimension == 2 ? 0.547 : 0.382, solid = source_form_solid(&source->form);
+    if (source->sizes.law == SIZES_FIXED && source->volume_fraction > limit * solid) {
+        char balls[64] = "";
+        if (source->form.shape > 0)
+            snprintf(balls, sizeof(balls), " (balls around bodies, which fill %.3g of them)", solid);
+        return scene_fail(
+            scene, error, key,
+            "%g: equal %s placed at random%s end at %g of the %s; from: packed, or a lattice, is "
+            "denser",
+            source->volume_fraction, scene->box.dimension == 2 ? "discs" : "spheres", balls, limit * solid,
+            scene->box.dimension == 2 ? "area" : "volume");
+    }
     snprintf(key, sizeof(key), "%s.count", section);
     return source->count > 0 || source->volume_fraction > 0 ||
            scene_fail(scene, error, key, "is missing; give count or volume_fraction");

@@ -121,6 +121,11 @@ static const struct schema_name lattice_names[] = {
 
 #define SOURCE(member) AT(struct source_options, member)
 
+static const char shape_help[] =
+    "name of an entry of bodies.clumps or bodies.shapes: all these particles become such bodies, whatever their material and radius; the entry's `size` says what the radii of "
+    "the source are: as a rule those of spheres of the same volume. The source places the balls around the bodies, and volume_fraction counts the volume of the bodies. Left out: "
+    "materials and radii choose";
+
 static const struct schema_row source_rows[] = {
     {.key = "name", .type = SCHEMA_TEXT, .fallback = "", SOURCE(name), .help = "name for messages",
      .example = "bed"},
@@ -198,6 +203,7 @@ static const struct schema_row source_rows[] = {
      .help = "id of the particle; 0: a new one. New ids count from 1 in the order of the sources, without those that files or other sources name"},
     {.key = "material", .type = SCHEMA_REF, .target = "materials", SOURCE(material),
      .help = "the material, whatever the file says; may be left out if there is only one material or the file has types", .example = "glass"},
+    {.key = "shape", .type = SCHEMA_TEXT, .fallback = "", SOURCE(shape), .help = shape_help, .example = "ballast"},
     {.key = "group", .type = SCHEMA_REF, .target = "groups", SOURCE(group),
      .help = "the group; left out: the group that selects the particle", .example = "frozen_floor"},
     {.key = "velocity", .type = SCHEMA_VECTOR, .unit = "m/s", .fallback = "[0, 0, 0]", SOURCE(velocity),
@@ -286,6 +292,7 @@ static const struct schema_row insertion_rows[] = {
      .help = "angular velocity of the particles"},
     {.key = "material", .type = SCHEMA_REF, .target = "materials", INSERTION(material),
      .help = "the material; may be left out if there is only one material", .example = "glass"},
+    {.key = "shape", .type = SCHEMA_TEXT, .fallback = "", INSERTION(shape), .help = shape_help, .example = "ballast"},
     {.key = "group", .type = SCHEMA_REF, .target = "groups", INSERTION(group),
      .help = "the group; left out: free"},
     {.key = "density", .type = SCHEMA_REAL, .unit = "kg/m3", .when = "/box.density=volume", .range = "[0, inf)", .fallback = "0",

@@ -5,6 +5,11 @@
 
 #include <math.h>
 
+/* The balls that a source places over the radii of its law. */
+static double ball_of(const struct sizes_options *o) {
+    return o->ball > 0 ? o->ball : 1;
+}
+
 /* Part of the particles (by number) for a share of the mass, up to a factor: integral of r^-3 over the
  * interval, by its length. */
 static double number_weight(double low, double high) {
@@ -108,7 +113,8 @@ static double draw_normal(const struct sizes_options *o, struct random_sequence 
     }
 }
 
-double sizes_draw(const struct sizes_sampler *sampler, struct random_sequence *random) {
+/* A radius of the law. */
+static double draw_law(const struct sizes_sampler *sampler, struct random_sequence *random) {
     const struct sizes_options *o = &sampler->options;
     switch (o->law) {
     case SIZES_FIXED:
@@ -123,6 +129,10 @@ double sizes_draw(const struct sizes_sampler *sampler, struct random_sequence *r
     default:
         return draw_table(sampler, random);
     }
+}
+
+double sizes_draw(const struct sizes_sampler *sampler, struct random_sequence *random) {
+    return ball_of(&sampler->options) * draw_law(sampler, random);
 }
 
 /* Integral of x^p from 1 to `end`. */
@@ -158,7 +168,8 @@ static double normal_moment(const struct sizes_options *o, int power) {
     return sum / weights;
 }
 
-double sizes_moment(const struct sizes_sampler *sampler, int power) {
+/* The mean of radius^power of the law. */
+static double law_moment(const struct sizes_sampler *sampler, int power) {
     const struct sizes_options *o = &sampler->options;
     double sum = 0, before = 0;
     switch (o->law) {
@@ -185,6 +196,10 @@ double sizes_moment(const struct sizes_sampler *sampler, int power) {
     return sum;
 }
 
+double sizes_moment(const struct sizes_sampler *sampler, int power) {
+    return pow(ball_of(&sampler->options), power) * law_moment(sampler, power);
+}
+
 void sizes_bounds(const struct sizes_options *o, double *smallest, double *largest) {
     bool listed = o->law == SIZES_TABLE || o->law == SIZES_DISCRETE;
     *smallest = o->law == SIZES_FIXED ? o->radius : o->min;
@@ -193,4 +208,6 @@ void sizes_bounds(const struct sizes_options *o, double *smallest, double *large
         *smallest = k && *smallest < o->radii[k] ? *smallest : o->radii[k];
         *largest = k && *largest > o->radii[k] ? *largest : o->radii[k];
     }
+    *smallest *= ball_of(o);
+    *largest *= ball_of(o);
 }

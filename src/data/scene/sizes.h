@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* Size laws: the sizes of the particles of a source. A law is options (plain data); a sampler is prepared
- * once from the options. Radii depend on the random sequence alone. */
+ * once from the options. Radii depend on the random sequence alone. Where a source names a shape of bodies, the radii that a sampler
+ * gives are those of the balls around the bodies. */
 #ifndef SCREE_SCENE_SIZES_H
 #define SCREE_SCENE_SIZES_H
 
@@ -38,6 +39,8 @@ struct sizes_options {
     double diameter[SIZES_POINTS_MAX]; /* instead of radii, length unit */
     char file[SIZES_PATH_MAX];         /* instead of radii and share; "": none */
     double file_unit;                  /* length of one in the file, length unit */
+    double
+        ball; /* no key: radius of the ball around a body over the radius of the law; 0: 1, as no shape is named */
 };
 
 struct sizes_sampler {

@@ -24,6 +24,23 @@ enum source_format { SOURCE_LAMMPS_DATA, SOURCE_TABLE, SOURCE_H5MD };
 enum source_ids_rule { SOURCE_IDS_FILE, SOURCE_IDS_NEW };
 enum source_lattice { SOURCE_SC, SOURCE_FCC, SOURCE_HCP, SOURCE_SQUARE, SOURCE_HEXAGONAL };
 
+/* What the grains of a source become where it names a shape of bodies; the section of bodies fills it (physics_table.h). All 0: it
+ * names none. */
+struct source_form {
+    int shape;    /* number of the entry + 1, those of bodies.clumps before those of bodies.shapes */
+    double ball;  /* radius of the ball around a body over the radius that the source gives */
+    double solid; /* mean part of the ball that is solid; 0: not known */
+};
+
+/* The same, 1 where no shape is named. */
+static inline double source_form_ball(const struct source_form *form) {
+    return form->shape > 0 ? form->ball : 1;
+}
+
+static inline double source_form_solid(const struct source_form *form) {
+    return form->shape > 0 ? form->solid : 1;
+}
+
 struct source_options {
     char name[SOURCE_NAME_MAX];
     enum source_kind kind;
@@ -65,8 +82,10 @@ struct source_options {
     double velocity[3];    /* added to the velocity in the file */
     double velocity_sigma; /* standard deviation of each component of a random velocity */
     double omega[3];
-    double density;     /* 0: the file's, else the material's */
-    double temperature; /* NAN: that of the section heat */
+    double density;              /* 0: the file's, else the material's */
+    double temperature;          /* NAN: that of the section heat */
+    char shape[SOURCE_NAME_MAX]; /* name of an entry of bodies; "": none */
+    struct source_form form;     /* no key */
 };
 
 #endif

@@ -23,7 +23,8 @@ static double expect(const struct scene *scene, const struct source_wish *wish,
                      const struct sizes_sampler *sampler, struct error *error) {
     char key[96];
     double wanted = scene->source[wish->source].volume_fraction * wish->volume;
-    double expected = wanted / (sizes_moment(sampler, scene->box.dimension) * source_solid(scene, 1));
+    double solid = source_form_solid(&scene->source[wish->source].form) * source_solid(scene, 1);
+    double expected = wanted / (sizes_moment(sampler, scene->box.dimension) * solid);
     if (wish->count > SOURCE_SPHERES_MAX)
         scene_fail(scene, error, source_key(wish->source, "count", key, sizeof(key)), "more than %d spheres",
                    SOURCE_SPHERES_MAX);
@@ -36,13 +37,14 @@ static double expect(const struct scene *scene, const struct source_wish *wish,
 }
 
 /* Adds a radius. */
-static void add(struct source_radii *radii, size_t *room, double radius, double solid) {
+static void add(struct source_radii *radii, size_t *room, double radius, double ball, double part) {
     if (radii->count == *room) {
         *room += *room / 2 + 1024;
         radii->radius = memory_resize(radii->radius, *room, sizeof(*radii->radius), "radii");
     }
     radii->radius[radii->count++] = radius;
-    radii->solid += solid;
+    radii->balls += ball;
+    radii->solid += part * ball;
 }
 
 bool source_radii_draw(const struct scene *scene, const struct scene_share *share,
@@ -54,6 +56,7 @@ bool source_radii_draw(const struct scene *scene, const struct scene_share *shar
     *radii = (struct source_radii){0};
     if (!sizes_prepare(&sampler, &options->sizes, error))
         return false;
+    const double part = source_form_solid(&options->form);
     double wanted = options->volume_fraction * wish->volume;
     double expected = expect(scene, wish, &sampler, error);
     if (error->kind != ERROR_NONE ||
@@ -64,12 +67,12 @@ bool source_radii_draw(const struct scene *scene, const struct scene_share *shar
         struct random_sequence random =
             random_sequence(scene->seed, RANDOM_RADIUS, wish->first + radii->count);
         source_tell(share, "radii drawn", radii->count, expected);
-        double r = sizes_draw(&sampler, &random), more = source_solid(scene, r);
-        if (!wish->count && radii->solid + more - wanted > wanted - radii->solid)
+        double r = sizes_draw(&sampler, &random), ball = source_solid(scene, r);
+        if (!wish->count && radii->solid + part * ball - wanted > wanted - radii->solid)
             break; /* the fraction is nearer without this sphere */
         if (radii->count == SOURCE_SPHERES_MAX)
             return scene_fail(scene, error, key, "needs more than %d spheres", SOURCE_SPHERES_MAX);
-        add(radii, &room, r, more);
+        add(radii, &room, r, ball, part);
     }
     return radii->count > 0 || scene_fail(scene, error, key, "is too small for a single sphere");
 }

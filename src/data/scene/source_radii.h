@@ -10,7 +10,8 @@
 struct source_radii {
     double *radius; /* owned; memory_free */
     size_t count;
-    double solid; /* volume of the spheres; in two dimensions area of the discs */
+    double balls; /* volume of the spheres; in two dimensions area of the discs */
+    double solid; /* of it what is solid, where bodies stand in the spheres */
 };
 
 /* What is drawn for a source. */
@@ -27,7 +28,7 @@ struct source_wish {
 bool source_radii_draw(const struct scene *scene, const struct scene_share *share,
                        const struct source_wish *wish, struct source_radii *radii, struct error *error);
 
-/* Volume of a sphere; in two dimensions the area of a disc. */
+/* Volume of a sphere, which may be the ball around a body; in two dimensions the area of a disc. */
 double source_solid(const struct scene *scene, double radius);
 
 /* Calls share->progress with this part of the work, but not for each sphere. */

@@ -45,7 +45,8 @@ struct source_sphere source_sphere_of(const struct source_options *options, cons
     const struct rows *rows = &batch->rows;
     struct source_sphere sphere = {.radius = rows->radius[k],
                                    .material = rows->material ? rows->material[k] : 0,
-                                   .line = rows->line ? rows->line[k] : 0};
+                                   .line = rows->line ? rows->line[k] : 0,
+                                   .shape = options->form.shape};
     bool file = options->kind == SOURCE_FILE;
     if (rows->mass && rows->mass[k] > 0)
         sphere.density = rows->mass[k] / particles_sphere_mass(sphere.radius, 1);
@@ -58,6 +59,9 @@ struct source_sphere source_sphere_of(const struct source_options *options, cons
     }
     if (file)
         sphere.radius *= options->scale;
+    sphere.given = sphere.radius;
+    if (file || options->kind == SOURCE_SINGLE)
+        sphere.radius *= source_form_ball(&options->form);
     return sphere;
 }
 
@@ -81,8 +85,8 @@ bool source_sphere_at(const struct box *box, const struct source_sphere *sphere,
 }
 
 bool source_sphere_left_out(const struct source_options *options, const struct source_sphere *sphere) {
-    return options->kind == SOURCE_FILE && sphere->radius > 0 &&
-           !(sphere->radius > options->radius_above && sphere->radius <= options->radius_upto);
+    return options->kind == SOURCE_FILE && sphere->given > 0 &&
+           !(sphere->given > options->radius_above && sphere->given <= options->radius_upto);
 }
 
 /* Refuses values that no source may give. */

@@ -10,8 +10,10 @@ struct source_sphere {
     int64_t id;
     double x[3], v[3], omega[3];
     double radius, density; /* density 0: the material's */
+    double given;           /* radius by the source: of a body not that of the ball around it */
     int material, group;    /* material -1: as the source says */
     int32_t image[3];
+    int shape; /* as in struct source_form */
     long line; /* in the file; for generators the number within the source */
 };
 

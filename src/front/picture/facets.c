@@ -15,13 +15,15 @@ void facets_free(struct facets *facets) {
     *facets = (struct facets){0};
 }
 
-/* Makes the shapes in the order of struct bodies; clumps stay empty. False: the scene has no rocks, or one cannot be made. */
-static bool shapes_take(struct facets *facets, const struct scene *scene) {
-    const struct bodies_options *options = scene ? (const void *)scene->physics[PHYSICS_bodies] : NULL;
-    struct error error = {0};
-    bool good = options && scene->physics_given[PHYSICS_bodies] && options->rocks > 0;
-    if (!good)
-        return false;
+static bool has_rocks(const struct scene *scene) {
+    return scene && scene->physics_given[PHYSICS_bodies] &&
+           ((const struct bodies_options *)(const void *)scene->physics[PHYSICS_bodies])->rocks > 0;
+}
+
+/* Makes the shapes in the order of struct bodies; clumps stay empty. False: one cannot be made. */
+static bool shapes_take(struct facets *facets, const struct scene *scene, struct error *error) {
+    const struct bodies_options *options = (const void *)scene->physics[PHYSICS_bodies];
+    bool good = true;
     facets->shapes = options->clumps;
     for (int k = 0; k < options->rocks; k++)
         facets->shapes += bodies_variants(&options->rock[k]);
@@ -29,9 +31,7 @@ static bool shapes_take(struct facets *facets, const struct scene *scene) {
     int number = options->clumps;
     for (int k = 0; good && k < options->rocks; k++)
         for (int v = 0; good && v < bodies_variants(&options->rock[k]); v++)
-            good = rock_make(&facets->shape[number++], scene, k, &options->rock[k], v, &error);
-    if (!good)
-        fprintf(stderr, "scree: rocks are drawn as balls: %s\n", error.text);
+            good = rock_make(&facets->shape[number++], scene, k, &options->rock[k], v, error);
     return good;
 }
 
@@ -41,7 +41,8 @@ static double *values_of(const struct source *source, const char *name, int comp
     struct picture_source_field field = {.component = component, .numbered = true};
     struct error error = {0};
     snprintf(field.name, sizeof field.name, "%s", name);
-    return source->h5md ? picture_source_values(source, &field, frame, rows, &error) : NULL;
+    return source->h5md || source->checkpoint ? picture_source_values(source, &field, frame, rows, &error)
+                                              : NULL;
 }
 
 static bool turns_take(struct facets *facets, const struct source *source, int64_t frame,
@@ -74,16 +75,21 @@ bool *facets_bodies(const struct source *source, int64_t frame, const struct row
     return body;
 }
 
-void facets_make(struct facets *facets, const struct source *source, int64_t frame, const struct rows *rows) {
+bool facets_make(struct facets *facets, const struct source *source, int64_t frame, const struct rows *rows,
+                 struct error *error) {
     *facets = (struct facets){.rows = rows->count};
-    if (!shapes_take(facets, source->scene)) {
+    if (!has_rocks(source->scene))
+        return true;
+    bool good =
+        shapes_take(facets, source->scene, error) &&
+        (turns_take(facets, source, frame, rows) ||
+         error_set(error, ERROR_USER,
+                   "%s: the faces of rocks need a checkpoint, or a trajectory with the fields rock_shape and "
+                   "rock_orientation",
+                   source->path));
+    if (!good)
         facets_free(facets);
-    } else if (!turns_take(facets, source, frame, rows)) {
-        fprintf(stderr,
-                "scree: rocks are drawn as balls: the facets need a trajectory with the fields rock_shape "
-                "and rock_orientation\n");
-        facets_free(facets);
-    }
+    return good;
 }
 
 static void write_place(FILE *out, const double x[3], const double along[3], double by) {

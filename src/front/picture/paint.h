@@ -20,9 +20,10 @@ struct facets {
     double (*turn)[9]; /* rotation from the frame of the shape to space */
 };
 
-/* Finds the rocks among the rows of a frame. None, with a word on standard error, where the file does not tell their
+/* Finds the rocks among the rows of a frame. None where the scene has none; and, with a user's error, where the file does not tell their
  * orientations. facets_free releases. */
-void facets_make(struct facets *facets, const struct source *source, int64_t frame, const struct rows *rows);
+bool facets_make(struct facets *facets, const struct source *source, int64_t frame, const struct rows *rows,
+                 struct error *error);
 void facets_free(struct facets *facets);
 
 /* True of the rows that are bodies: their members are drawn, and not they. memory_free releases. */

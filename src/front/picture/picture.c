@@ -247,7 +247,9 @@ static bool write_scene(const struct drawing *d, const char *path, int64_t frame
     }
     shapes_cut(&shapes, lower, upper);
     struct facets facets;
-    facets_make(&facets, &d->source, frame, &rows);
+    struct error unknown = {0};
+    if (!facets_make(&facets, &d->source, frame, &rows, &unknown))
+        fprintf(stderr, "scree: rocks are drawn as balls: %s\n", unknown.text);
     struct paint_scene scene = {.camera = &d->camera,
                                 .paint = &d->paint,
                                 .rows = &rows,

@@ -66,6 +66,7 @@ bool picture_source_open(struct source *source, const struct comm *comm, const c
     if (!find_file(source, from, error) || !info_kind(source->path, &kind, error))
         return false;
     source->h5md = kind == INFO_H5MD;
+    source->checkpoint = kind == INFO_CHECKPOINT;
     if (!convert_read(source->path, -1, comm, &rows, &source->frames, error))
         return false;
     rows_free(&rows);
@@ -217,11 +218,11 @@ bool picture_source_choose(const struct source *source, const char *text, const 
     snprintf(field->name, sizeof field->name, "%.*s", (int)(at ? at - given : (long)strlen(given)), given);
     if (at && !picture_source_frame(source, at + 1, &field->frame, error))
         return false;
-    if (!source->h5md && !common_value(rows, field->name, 0, &value))
+    if (!source->h5md && !source->checkpoint && !common_value(rows, field->name, 0, &value))
         return error_set(
             error, ERROR_USER,
-            "command line: --colour %s: %s has no such field; files other than trajectory.h5 have "
-            "at most x, y, z, radius, speed, spin, mass, material, id",
+            "command line: --colour %s: %s has no such field; files other than trajectory.h5 and checkpoints "
+            "have at most x, y, z, radius, speed, spin, mass, material, id",
             field->name, source->path);
     find_unit(source, field->name, unit);
     snprintf(field->label, sizeof field->label, "%s%s%s%s", given, unit[0] ? " (" : "", unit,
@@ -240,6 +241,13 @@ static size_t find_id(const int64_t *id, size_t count, int64_t wanted) {
             high = middle;
     }
     return low < count && id[low] == wanted ? low : count;
+}
+
+/* Values of any field of the file. */
+static bool field_values(const struct source *source, int64_t frame, const char *name, int component,
+                         struct h5md_values *values, struct error *error) {
+    return source->checkpoint ? convert_values(source->path, name, component, source->comm, values, error)
+                              : h5md_read_values(source->path, frame, name, component, values, error);
 }
 
 /* Values by id, ids rising: those of the frame that the field is of. */
@@ -262,7 +270,7 @@ static bool read_values(const struct source *source, const struct picture_source
     }
     rows_free(&rows);
     if (field->numbered)
-        return h5md_read_values(source->path, frame, field->name, field->component, values, error);
+        return field_values(source, frame, field->name, field->component, values, error);
     const char *dot = strchr(field->name, '.');
     char plain[SOURCE_WORD_MAX];
     snprintf(plain, sizeof plain, "%.*s", (int)strcspn(field->name, "."), field->name);
@@ -270,7 +278,7 @@ static bool read_values(const struct source *source, const struct picture_source
     if (dot && component < 0)
         return error_set(error, ERROR_USER, "command line: --colour %s: the component must be x, y or z",
                          field->name);
-    return h5md_read_values(source->path, frame, plain, component, values, error);
+    return field_values(source, frame, plain, component, values, error);
 }
 
 double *picture_source_values(const struct source *source, const struct picture_source_field *field,

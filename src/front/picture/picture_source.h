@@ -13,7 +13,7 @@ enum { SOURCE_WORD_MAX = 64 };
 struct source {
     char path[FILE_PATH_MAX];
     const struct comm *comm;
-    bool h5md; /* any field of the file can be read */
+    bool h5md, checkpoint; /* any field of such files can be read */
     uint64_t frames;
     struct scene *scene; /* of the run; NULL: the file does not tell, or the scene cannot be read here */
     int walls;

@@ -7,6 +7,7 @@
 #include "data/formats/convert.h"
 #include "data/formats/info.h"
 #include "front/pack/laws.h"
+#include "front/picture/polyhedra.h"
 #include "front/view/view.h"
 #include <stdio.h>
 #include <stdlib.h>
@@ -35,8 +36,10 @@ static const struct command commands[] = {
     {"info", "FILE or DIR",
      "tells what is in a trajectory, checkpoint, LAMMPS data file or dump; or one value of a report or table",
      1, 1, "get column row", run_info},
-    {"convert", "IN OUT", "converts LAMMPS data, dumps and H5MD into each other; checkpoints, too", 2, 2,
-     "to frame overwrite", run_convert},
+    {"convert", "IN OUT",
+     "converts LAMMPS data, dumps and H5MD into each other; checkpoints, too; to .vtp and .pvd the faces of "
+     "rocks",
+     2, 2, "to frame overwrite", run_convert},
     {"picture", "DIR -o FILE.png",
      "draws a run, or a file of particles, as a picture; FILE.mp4 makes a film, FILE.pov the text for "
      "POV-Ray",
@@ -205,6 +208,11 @@ static int run_convert(const struct comm *comm, const struct command_line *line,
     struct convert_options options = {.overwrite = line->overwrite, .one_frame = line->frame != NULL};
     if (!one_rank(comm, "convert", error))
         return error->kind;
+    if (line->to == NULL && polyhedra_named(line->file[1])) {
+        const struct polyhedra_options rocks = {.frame = line->frame, .overwrite = line->overwrite};
+        polyhedra_write(comm, line->file[0], line->file[1], &rocks, error);
+        return error->kind;
+    }
     if (line->frame) {
         char *end;
         options.frame = strtoll(line->frame, &end, 10);

@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 noinst_LTLIBRARIES += libview.la
-libview_la_SOURCES = %D%/board.c %D%/server.c %D%/shot.c %D%/view.c %D%/board.h %D%/server.h %D%/shot.h %D%/view.h
+libview_la_SOURCES = \
+	%D%/board.c %D%/server.c %D%/shot.c %D%/shot_rocks.c %D%/view.c %D%/board.h %D%/server.h %D%/shot.h \
+	%D%/shot_rocks.h %D%/view.h
 libview_la_CPPFLAGS = $(AM_CPPFLAGS) $(MICROHTTPD_CFLAGS)
 libview_la_LIBADD = $(MICROHTTPD_LIBS) -lpthread
 

@@ -4,16 +4,17 @@
 #include "base/memory.h"
 #include "base/mix.h"
 #include "data/observe/report_json.h"
+#include "front/view/shot_rocks.h"
 #include "kernel/particles/fields.h"
+#include "kernel/particles/kinds.h"
 #include <inttypes.h>
 #include <math.h>
+#include <stdlib.h>
 #include <string.h>
 
-enum { ABOUT_ROOM = 65536 };
-
-struct row {
-    float x[3], radius, value;
-};
+/* A row, in a run with rocks. */
+enum { ROW_RADIUS = 3, ROW_VALUE, ROW_ROCK, ROW_MOST = ROW_ROCK + SHOT_ROCK_NUMBERS };
+_Static_assert((int)ROW_ROCK == (int)SHOT_NUMBERS, "the page knows the rows");
 
 /* The fields that can give the colour: those that files show, velocity first, without the position. */
 static struct field_list fields_shown(const struct particles *particles) {
@@ -24,54 +25,50 @@ static struct field_list fields_shown(const struct particles *particles) {
     return shown;
 }
 
-char *shot_about(const struct scene *scene, const struct box *box, const struct particles *particles) {
-    char *text = memory_allocate_zero(ABOUT_ROOM, 1, "live view");
-    FILE *file = fmemopen(text, ABOUT_ROOM - 1, "w");
-    struct field_list shown = fields_shown(particles);
-    bool plain = scene->units == SCENE_UNITS_NONE;
+char *shot_about(const struct simulation *s) {
+    char *text = NULL;
+    size_t bytes = 0;
+    FILE *file = open_memstream(&text, &bytes);
+    struct field_list shown = fields_shown(s->particles);
+    bool plain = s->scene->units == SCENE_UNITS_NONE;
     if (file == NULL)
         error_fatal("out of memory: live view");
     fprintf(file, "{\"title\": ");
-    report_json_text(file, scene->title);
-    fprintf(file, ", \"dimension\": %d, \"lower\": [%.9g, %.9g, %.9g], \"fields\": [", box->dimension,
-            box->origin[0], box->origin[1], box->origin[2]);
+    report_json_text(file, s->scene->title);
+    fprintf(file, ", \"dimension\": %d, \"lower\": [%.9g, %.9g, %.9g], \"fields\": [", s->box.dimension,
+            s->box.origin[0], s->box.origin[1], s->box.origin[2]);
     for (int k = 0; k < shown.count; k++) {
-        const struct field *field = fields_get(particles, shown.field[k]);
+        const struct field *field = fields_get(s->particles, shown.field[k]);
         fprintf(file, "%s{\"name\": ", k ? ", " : "");
         report_json_text(file, field->name);
         fprintf(file, ", \"unit\": ");
         report_json_text(file, field->unit && !plain ? field->unit : "");
         fprintf(file, "}");
     }
-    fprintf(file, "]}\n");
-    fclose(file);
-    return text;
-}
-
-static double number_of(const struct field *field, const char *at, int k) {
-    switch (field->type) {
-    case FIELD_DOUBLE:
-        return ((const double *)at)[k];
-    case FIELD_INT64:
-        return (double)((const int64_t *)at)[k];
-    case FIELD_INT32:
-        return ((const int32_t *)at)[k];
-    default:
-        return ((const uint8_t *)at)[k];
+    fprintf(file, "]");
+    if (shot_rocks_there(s)) {
+        fprintf(file, ", \"shapes\": ");
+        shot_rocks_write(file, s);
     }
+    fprintf(file, "}\n");
+    fclose(file);
+    char *about = memory_allocate(bytes + 1, 1, "live view");
+    memcpy(about, text, bytes + 1);
+    free(text);
+    return about;
 }
 
 /* A number, or the length of a vector. */
 static double value_of(const struct field *field, const char *at) {
     if (field->components == 1)
-        return number_of(field, at, 0);
+        return fields_component(field, at, 0);
     double sum = 0;
     if (field->components == 3 && field->type == FIELD_DOUBLE) {
         const double *v = (const double *)(const void *)at;
         return sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
     }
     for (int k = 0; k < field->components; k++)
-        sum += number_of(field, at, k) * number_of(field, at, k);
+        sum += fields_component(field, at, k) * fields_component(field, at, k);
     return sqrt(sum);
 }
 
@@ -97,48 +94,67 @@ static void shares_find(const struct size_classes *classes, double share[CLASS_M
     }
 }
 
-/* Fills the rows of this rank's particles, of a part of each class if `thin`; returns their number. */
-static size_t rows_fill(const struct particles *p, const struct size_classes *classes, const struct box *box,
-                        bool thin, int field, struct row *rows) {
+/* Fills the rows of this rank's particles, of `numbers` floats each; returns how many are shown, and counts those of which
+ * they are a part. */
+static size_t rows_fill(const struct simulation *s, int field, int numbers, float *rows, int64_t *all) {
+    const struct particles *p = s->particles;
     struct field_list shown = fields_shown(p);
     int f = shown.field[field >= 0 && field < shown.count ? field : 0];
     const struct field *of = fields_get(p, f);
     size_t stride, count = 0;
     const char *values = fields_base(p, f, &stride);
     double share[CLASS_MAX];
-    shares_find(classes, share);
+    const uint8_t *kind = kinds_of(p);
+    bool thin = s->total > SHOT_MOST;
+    shares_find(&s->classes, share);
+    *all = 0;
     for (size_t i = 0; i < p->owned; i++) {
         const struct particle_state *state = &p->state[i];
+        if (kind && kind[i] == KIND_BODY)
+            continue;
+        ++*all;
         if (thin && draw(p->id[i]) >= share[p->size_class[i]])
             continue;
-        struct row *row = &rows[count++];
+        float *row = rows + (size_t)numbers * count++;
         for (int d = 0; d < 3; d++)
-            row->x[d] = (float)(state->x[d] + box->origin[d]);
-        row->radius = (float)state->radius;
-        row->value = (float)value_of(of, values + i * stride);
+            row[d] = (float)(state->x[d] + s->box.origin[d]);
+        row[ROW_RADIUS] = (float)state->radius;
+        row[ROW_VALUE] = (float)value_of(of, values + i * stride);
+        if (numbers > ROW_ROCK)
+            shot_rocks_take(s, i, row + ROW_ROCK);
     }
     return count;
 }
 
-/* Writes the head of a frame of `count` particles. */
-static void head_write(const struct simulation *s, int field, bool paused, size_t count, char *head) {
+/* What a frame holds. */
+struct held {
+    size_t count; /* rows */
+    int64_t all;  /* particles of which they are a part */
+    int numbers;  /* of a row */
+};
+
+/* Writes the head of a frame. */
+static void head_write(const struct simulation *s, int field, bool paused, const struct held *held,
+                       char *head) {
     char text[SHOT_HEAD];
     snprintf(text, sizeof text,
-             "{\"step\": %" PRIu64 ", \"time\": %.9g, \"dt\": %.9g, \"count\": %zu, \"total\": %" PRIu64
-             ", \"paused\": %s, \"field\": %d, \"edge\": [%.9g, %.9g, %.9g]}",
-             s->clock.step, s->clock.time, s->clock.dt, count, s->total, paused ? "true" : "false", field,
-             s->box.edge[0], s->box.edge[1], s->box.edge[2]);
+             "{\"step\": %" PRIu64 ", \"time\": %.9g, \"dt\": %.9g, \"count\": %zu, \"total\": %" PRId64
+             ", \"numbers\": %d, \"paused\": %s, \"field\": %d, \"edge\": [%.9g, %.9g, %.9g]}",
+             s->clock.step, s->clock.time, s->clock.dt, held->count, held->all, held->numbers,
+             paused ? "true" : "false", field, s->box.edge[0], s->box.edge[1], s->box.edge[2]);
     memset(head, ' ', SHOT_HEAD);
     memcpy(head, text, strlen(text));
 }
 
 char *shot_take(const struct simulation *s, int field, bool paused, size_t *bytes) {
-    char *frame = memory_allocate(SHOT_HEAD + s->particles->owned * sizeof(struct row), 1, "live view");
-    size_t count = rows_fill(s->particles, &s->classes, &s->box, s->total > SHOT_MOST, field,
-                             (struct row *)(void *)(frame + SHOT_HEAD));
+    struct held held = {.numbers = shot_rocks_there(s) ? ROW_MOST : ROW_ROCK};
+    const size_t row = (size_t)held.numbers * sizeof(float);
+    char *frame = memory_allocate(SHOT_HEAD + s->particles->owned * row, 1, "live view");
+    held.count = rows_fill(s, field, held.numbers, (float *)(void *)(frame + SHOT_HEAD), &held.all);
+    comm_sum_int(s->comm, &held.all, 1);
     if (s->comm->size > 1) {
         void *all = NULL;
-        size_t own = count * sizeof(struct row);
+        size_t own = held.count * row;
         size_t whole = comm_gather_varying(s->comm, frame + SHOT_HEAD, own, &all, NULL);
         memory_free(frame);
         if (s->comm->rank != 0)
@@ -146,9 +162,9 @@ char *shot_take(const struct simulation *s, int field, bool paused, size_t *byte
         frame = memory_allocate(SHOT_HEAD + whole, 1, "live view");
         memcpy(frame + SHOT_HEAD, all, whole);
         memory_free(all);
-        count = whole / sizeof(struct row);
+        held.count = whole / row;
     }
-    head_write(s, field, paused, count, frame);
-    *bytes = SHOT_HEAD + count * sizeof(struct row);
+    head_write(s, field, paused, &held, frame);
+    *bytes = SHOT_HEAD + held.count * row;
     return frame;
 }

@@ -138,7 +138,7 @@ static bool view_begin(void *context, struct simulation *s, struct error *error)
     view->left = timer_now();
     if (view->board) {
         size_t bytes = 0;
-        board_put(view->board, NULL, bytes, shot_about(s->scene, &s->box, s->particles));
+        board_put(view->board, NULL, bytes, shot_about(s));
         address_tell(view);
     }
     show(view, s);

@@ -1,16 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Draws the frames of a run by three.js: a square for each particle, on which the shader paints a sphere. server.h has the addresses.
+// Draws the frames of a run by three.js: a square for each particle, on which the shader paints a sphere; a rock by its faces. server.h has the addresses.
 import * as THREE from "./three.module.min.js";
 import {OrbitControls} from "./OrbitControls.js";
 
-const HEAD = 512, NUMBERS = 5; // shot.h
+const HEAD = 512, VALUE = 4, ROCK = 5; // shot.h: places in a row; head.numbers is its length
 const get = (id) => document.getElementById(id);
 const short = (value) => Number(value).toPrecision(4).replace(/(\.\d*?)0+($|e)/, "$1$2").replace(/\.($|e)/, "$1");
 const colours = ["#264653", "#2a6f7d", "#2a9d8f", "#8ab17d", "#e9c46a", "#f4a261", "#e76f51"].map((text) => new THREE.Color(text));
 
+// The row of a particle. A sphere has no rock: 0, as have all particles of a run without rocks.
 const vertex = `
 attribute vec3 place;
-attribute float radius, value;
+attribute float radius, value, rock;
 uniform vec3 cutLow, cutHigh;
 uniform float low, high;
 varying vec2 corner;
@@ -21,11 +22,19 @@ void main() {
     shade = clamp((value - low) / max(high - low, 1e-30), 0.0, 1.0);
     vec4 centre = viewMatrix * vec4(place, 1.0);
     depth = centre.z;
-    bool cut = any(lessThan(place, cutLow)) || any(greaterThan(place, cutHigh));
+    bool cut = rock > 0.5 || any(lessThan(place, cutLow)) || any(greaterThan(place, cutHigh));
     gl_Position = cut ? vec4(2.0, 2.0, 2.0, 1.0) : projectionMatrix * (centre + vec4(corner * radius, 0.0, 0.0));
 }`;
-const fragment = `
+const paint = `
 uniform vec3 ramp[7];
+vec4 paint(float shade, vec3 normal) {
+    float light = 0.35 + 0.65 * max(dot(normal, normalize(vec3(0.4, 0.6, 0.8))), 0.0);
+    float at = shade * 6.0;
+    vec3 colour = ramp[0];
+    for (int k = 0; k < 6; k++) colour = mix(colour, ramp[k + 1], clamp(at - float(k), 0.0, 1.0));
+    return vec4(pow(colour * light, vec3(1.0 / 2.2)), 1.0);
+}`;
+const fragment = paint + `
 uniform mat4 projection;
 varying vec2 corner;
 varying float shade, depth, size;
@@ -33,14 +42,30 @@ void main() {
     float r2 = dot(corner, corner);
     if (r2 > 1.0) discard;
     vec3 normal = vec3(corner, sqrt(1.0 - r2));
-    float light = 0.35 + 0.65 * max(dot(normal, normalize(vec3(0.4, 0.6, 0.8))), 0.0);
-    float at = shade * 6.0;
-    vec3 colour = ramp[0];
-    for (int k = 0; k < 6; k++) colour = mix(colour, ramp[k + 1], clamp(at - float(k), 0.0, 1.0));
     vec4 front = projection * vec4(0.0, 0.0, depth + normal.z * size, 1.0);
     gl_FragDepth = 0.5 * front.z / front.w + 0.5;
-    gl_FragColor = vec4(pow(colour * light, vec3(1.0 / 2.2)), 1.0);
+    gl_FragColor = paint(shade, normal);
 }`;
+// Rocks: corners in units of the ball, turned by the quaternion x y z w of the row.
+const rockVertex = `
+attribute vec3 place;
+attribute float radius, value;
+attribute vec4 turn;
+uniform vec3 cutLow, cutHigh;
+uniform float low, high;
+varying float shade;
+varying vec3 facing;
+vec3 turned(vec3 x) { return x + 2.0 * cross(turn.xyz, cross(turn.xyz, x) + turn.w * x); }
+void main() {
+    shade = clamp((value - low) / max(high - low, 1e-30), 0.0, 1.0);
+    facing = mat3(viewMatrix) * turned(normal);
+    bool cut = any(lessThan(place, cutLow)) || any(greaterThan(place, cutHigh));
+    gl_Position = cut ? vec4(2.0, 2.0, 2.0, 1.0) : projectionMatrix * viewMatrix * vec4(place + radius * turned(position), 1.0);
+}`;
+const rockFragment = paint + `
+varying float shade;
+varying vec3 facing;
+void main() { gl_FragColor = paint(shade, normalize(facing)); }`;
 
 const canvas = get("particles");
 const renderer = new THREE.WebGLRenderer({canvas: canvas, antialias: true});
@@ -57,6 +82,8 @@ geometry.instanceCount = 0;
 const spheres = new THREE.Mesh(geometry, new THREE.ShaderMaterial({vertexShader: vertex, fragmentShader: fragment, uniforms: uniforms}));
 spheres.frustumCulled = false;
 scene.add(spheres);
+const rockMaterial = new THREE.ShaderMaterial({vertexShader: rockVertex, fragmentShader: rockFragment, uniforms: uniforms});
+let rocks = []; // a mesh for each shape of about.shapes
 const box = new THREE.LineSegments(new THREE.EdgesGeometry(new THREE.BoxGeometry(1, 1, 1)), new THREE.LineBasicMaterial({color: 0xb0aa9c}));
 scene.add(box);
 
@@ -71,6 +98,7 @@ function drawNow() {
     camera.updateProjectionMatrix();
     renderer.render(scene, camera);
     document.body.dataset.drawn = geometry.instanceCount;
+    document.body.dataset.rocks = rocks.reduce((sum, mesh) => sum + (mesh ? mesh.geometry.instanceCount : 0), 0);
 }
 function draw() {
     if (!waiting) requestAnimationFrame(drawNow);
@@ -91,24 +119,68 @@ function lookAt(low, edge) {
     orbit.update();
 }
 
+// The polygons of a shape as triangles, each with the normal of its polygon.
+function rockMesh(shape) {
+    const place = [], normal = [], corner = (k) => new THREE.Vector3().fromArray(shape.corners, 3 * k);
+    shape.polygons.forEach((ring) => {
+        const points = ring.map(corner), across = new THREE.Vector3();
+        for (let k = 2; k < points.length; k++)
+            across.add(points[k - 1].clone().sub(points[0]).cross(points[k].clone().sub(points[0])));
+        across.normalize();
+        for (let k = 2; k < points.length; k++)
+            [points[0], points[k - 1], points[k]].forEach((point) => {
+                place.push(...point.toArray());
+                normal.push(...across.toArray());
+            });
+    });
+    const mesh = new THREE.Mesh(new THREE.InstancedBufferGeometry(), rockMaterial);
+    mesh.geometry.setAttribute("position", new THREE.BufferAttribute(new Float32Array(place), 3));
+    mesh.geometry.setAttribute("normal", new THREE.BufferAttribute(new Float32Array(normal), 3));
+    mesh.geometry.instanceCount = 0;
+    mesh.frustumCulled = mesh.visible = false;
+    scene.add(mesh);
+    return mesh;
+}
+
+// Columns of the rows for one attribute each.
+function setRows(target, rows, numbers, columns) {
+    const buffer = new THREE.InstancedInterleavedBuffer(rows, numbers);
+    target.dispose();
+    for (const [name, [first, size]] of Object.entries(columns))
+        target.setAttribute(name, new THREE.InterleavedBufferAttribute(buffer, size, first));
+}
+
+// Each mesh gets the rows of its shape.
+function showRocks(rows, head) {
+    rocks.forEach((mesh, shape) => {
+        if (!mesh) return;
+        const own = [];
+        for (let k = 0; k < head.count; k++)
+            if (rows[head.numbers * k + ROCK] === shape + 1) own.push(k);
+        const part = new Float32Array(own.length * head.numbers);
+        own.forEach((k, n) => part.set(rows.subarray(head.numbers * k, head.numbers * (k + 1)), n * head.numbers));
+        mesh.visible = own.length > 0;
+        mesh.geometry.instanceCount = own.length;
+        setRows(mesh.geometry, part, head.numbers, {place: [0, 3], radius: [3, 1], value: [VALUE, 1], turn: [ROCK + 1, 4]});
+    });
+}
+
 // The lowest and highest value; of a velocity all but the fastest hundredth.
-function range(rows, count, speed) {
+function range(rows, count, numbers, speed) {
     const values = new Float32Array(count);
-    for (let k = 0; k < count; k++) values[k] = rows[NUMBERS * k + 4];
+    for (let k = 0; k < count; k++) values[k] = rows[numbers * k + VALUE];
     values.sort();
     return count ? [values[0], values[speed ? Math.floor(0.99 * (count - 1)) : count - 1]] : [0, 1];
 }
 
 function show(data) {
     const head = JSON.parse(new TextDecoder().decode(new Uint8Array(data, 0, HEAD)));
-    const rows = new Float32Array(data, HEAD), buffer = new THREE.InstancedInterleavedBuffer(rows, NUMBERS);
-    geometry.dispose();
-    geometry.setAttribute("place", new THREE.InterleavedBufferAttribute(buffer, 3, 0));
-    geometry.setAttribute("radius", new THREE.InterleavedBufferAttribute(buffer, 1, 3));
-    geometry.setAttribute("value", new THREE.InterleavedBufferAttribute(buffer, 1, 4));
+    const rows = new Float32Array(data, HEAD), rock = rocks.length ? {rock: [ROCK, 1]} : {};
+    setRows(geometry, rows, head.numbers, {place: [0, 3], radius: [3, 1], value: [VALUE, 1], ...rock});
     geometry.instanceCount = head.count;
+    showRocks(rows, head);
     const field = about.fields[head.field] || about.fields[0];
-    [uniforms.low.value, uniforms.high.value] = range(rows, head.count, field.name === "velocity");
+    [uniforms.low.value, uniforms.high.value] = range(rows, head.count, head.numbers, field.name === "velocity");
     get("low").textContent = short(uniforms.low.value);
     get("high").textContent = short(uniforms.high.value) + " " + field.unit;
     const s = about.fields.some((one) => one.unit) ? " s" : "";
@@ -146,6 +218,7 @@ function prepare() {
     colours.forEach((colour, k) => gradient.addColorStop(k / 6, "#" + colour.getHexString()));
     ramp.fillStyle = gradient;
     ramp.fillRect(0, 0, 64, 1);
+    rocks = (about.shapes || []).map((shape) => shape && rockMesh(shape));
     get("pause").onclick = () => post(paused ? "go" : "pause");
     get("step").onclick = () => post(`step?count=${Math.max(1, get("count").valueAsNumber || 1)}`);
     ["x", "y", "z"].forEach((name, d) => {

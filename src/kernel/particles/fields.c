@@ -65,6 +65,19 @@ double *fields_numbers(const struct particles *particles, const char *name) {
     return f < 0 ? NULL : fields_base(particles, f, NULL);
 }
 
+double fields_component(const struct field *field, const void *at, int k) {
+    switch (field->type) {
+    case FIELD_DOUBLE:
+        return ((const double *)at)[k];
+    case FIELD_INT64:
+        return (double)((const int64_t *)at)[k];
+    case FIELD_INT32:
+        return ((const int32_t *)at)[k];
+    default:
+        return ((const uint8_t *)at)[k];
+    }
+}
+
 /* Enters a field into the table. */
 static int enter(struct particles *particles, const struct field *field, int array, size_t offset) {
     struct storage *storage = particles->storage;

@@ -98,6 +98,9 @@ void *fields_values(const struct particles *particles, const struct field *field
 /* The values of a field of one double a particle, by its name; NULL if the set has no such field. */
 double *fields_numbers(const struct particles *particles, const char *name);
 
+/* Component k, as a double, of the value of one particle, which begins at `at`. */
+double fields_component(const struct field *field, const void *at, int k);
+
 /* Bytes of one particle's value of a field (components x size of the type). */
 size_t fields_bytes(const struct field *field);
 

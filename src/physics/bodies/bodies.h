@@ -49,6 +49,15 @@ static inline int bodies_variants(const struct rock_options *options) {
     return options->random ? options->draw.variants : 1;
 }
 
+/* The entries, those of clumps first. */
+static inline int bodies_entries(const struct bodies_options *options) {
+    return options->clumps + options->rocks;
+}
+
+static inline const struct clump_entry *bodies_entry(const struct bodies_options *options, int k) {
+    return k < options->clumps ? &options->clump[k].entry : &options->rock[k - options->clumps].entry;
+}
+
 /* The data of a run. */
 struct bodies {
     const struct bodies_options *options;

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* Describes and registers the fields of bodies. */
 #include "physics/bodies/bodies_fields.h"
+#include "kernel/particles/shape.h"
 #include "kernel/particles/spin.h"
 #include "physics/grains/motion/carried.h"
 #include "kernel/particles/fields.h"
@@ -51,6 +52,7 @@ static const struct field part = {.name = "body_part",
 void bodies_fields(struct particles *particles) {
     spin_register(particles);
     carried_register(particles);
+    shape_register(particles);
     fields_register(particles, &orientation);
     fields_register(particles, &velocity);
     fields_register(particles, &spin);

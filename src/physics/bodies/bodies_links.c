@@ -205,6 +205,7 @@ void bodies_links_make(struct bodies *bodies, const struct physics_context *cont
     bodies_links_send(l);
     members_find(l, context);
     members_sort(l, context);
-    bodies->carried = (struct carried){l->pose_of, (const double(*)[3])l->offset,
-                                       (const int32_t(*)[3])l->image, l->pose, context->box};
+    bodies->carried = (struct carried){
+        l->pose_of,   (const double(*)[3])l->offset,    (const int32_t(*)[3])l->image, l->pose,
+        context->box, carried_solid(context->particles)};
 }

@@ -29,8 +29,9 @@ void bodies_motion_push(const struct bodies_links *links, const struct physics_c
 
 /* Makes bodies of grains. */
 
-/* The entry that a grain of this material and radius becomes a body of, those of clumps first; -1: none. */
-int place_entry(const struct bodies_options *options, int material, double radius);
+/* The entry that a grain becomes a body of: what its source names, else the first that material and radius fit, those of clumps first;
+ * -1: none. */
+int place_entry(const struct bodies_options *options, const struct physics_grain *grain);
 
 /* The least radius above `radius` that bounds the grains of an entry; INFINITY: there is none. */
 double place_edge(const struct bodies_options *options, int material, double radius);
@@ -38,7 +39,7 @@ double place_edge(const struct bodies_options *options, int material, double rad
 /* The shapes of an entry (-1: none): their number, and that of the first one. */
 int place_shapes(const struct bodies_options *options, int entry, int *first);
 
-/* Refuses, by name, insertions that may not become the bodies that they would. Reads the shapes of `bodies` alone. */
+/* Refuses, by name, insertions, and sources that name a shape, which may not become the bodies that they would. Reads the shapes of `bodies` alone. */
 bool place_check(const struct bodies *bodies, const struct physics_context *context, struct error *error);
 
 /* Radii of members x this have together the volume of the body; 0: they have it as they are. */

@@ -7,6 +7,7 @@
 #include "physics/grains/motion/timestep.h"
 #include "physics/bodies/bodies_links.h"
 #include "physics/bodies/bodies_parts.h"
+#include "physics/bodies/bodies_shapes.h"
 #include "physics/bodies/rocks.h"
 #include "base/memory.h"
 #include "kernel/particles/kinds.h"
@@ -19,8 +20,14 @@ static bool check_entry(const struct physics_context *context, const struct clum
     const struct scene *scene = context->scene;
     const double *q = entry->quaternion, *w = entry->angular_velocity;
     const bool flat = context->box->dimension == 2;
-    if (entry->material < 0 && scene->materials > 1)
-        return scene_fail(scene, error, key, "needs material: which grains become these bodies");
+    if (entry->material < 0 && scene->materials > 1 && !entry->named)
+        return scene_fail(
+            scene, error, key,
+            "needs material: which grains become these bodies; or a source that names it (shape)");
+    if (entry->size == CLUMP_BY_VOLUME && !entry->named)
+        return scene_fail(scene, error, key,
+                          "size: volume needs a source or an insertion that names the entry (shape); allowed "
+                          "without: grain, drawn");
     if (!(entry->radius_upto > entry->radius_above))
         return scene_fail(scene, error, key, "radius_upto (%g) is not above radius_above (%g)",
                           entry->radius_upto, entry->radius_above);
@@ -34,59 +41,19 @@ static bool check_entry(const struct physics_context *context, const struct clum
     return true;
 }
 
-static int shapes_count(const struct bodies_options *options) {
-    int count = options->clumps;
-    for (int k = 0; k < options->rocks; k++)
-        count += bodies_variants(&options->rock[k]);
-    return count;
-}
-
-static void shapes_free(struct bodies *bodies) {
-    for (int k = 0; k < bodies->shapes; k++)
-        clump_free(&bodies->clump[k]);
-    memory_free(bodies->clump);
-    memory_free(bodies->entry);
-}
-
-/* Makes all shapes: of each clump, of each variant of a rock. */
-static bool shapes_make(struct bodies *bodies, const struct physics_context *context, struct error *error) {
-    const struct bodies_options *options = bodies->options = context->options;
-    bodies->shapes = shapes_count(options);
-    struct clump *clump = bodies->clump =
-        memory_allocate_zero((size_t)bodies->shapes, sizeof *clump, "shapes of bodies");
-    const struct clump_entry **entry = bodies->entry =
-        memory_allocate_zero((size_t)bodies->shapes, sizeof *entry, "shapes of bodies");
-    int number = 0;
-    for (int k = 0; k < options->clumps; k++, number++) {
-        entry[number] = &options->clump[k].entry;
-        if (!clump_make(&clump[number], context->scene, k, &options->clump[k], error))
-            return false;
-    }
-    for (int k = 0; k < options->rocks; k++)
-        for (int v = 0; v < bodies_variants(&options->rock[k]); v++, number++) {
-            entry[number] = &options->rock[k].entry;
-            if (!rock_make(&clump[number], context->scene, k, &options->rock[k], v, error))
-                return false;
-        }
-    return true;
-}
-
 static bool check(const struct physics_context *context, struct error *error) {
     const struct bodies_options *options = context->options;
     char key[64];
-    if (shapes_count(options) == 0)
+    if (bodies_entries(options) == 0)
         return scene_fail(context->scene, error, "bodies", "needs clumps or shapes");
-    for (int k = 0; k < options->clumps + options->rocks; k++) {
-        const bool rock = k >= options->clumps;
-        snprintf(key, sizeof key, "bodies.%s[%d]", rock ? "shapes" : "clumps",
-                 rock ? k - options->clumps : k);
-        if (!check_entry(context, rock ? &options->rock[k - options->clumps].entry : &options->clump[k].entry,
-                         key, error))
+    for (int k = 0; k < bodies_entries(options); k++)
+        if (!check_entry(context, bodies_entry(options, k),
+                         bodies_shapes_key(options, k, "", key, sizeof key), error))
             return false;
-    }
     struct bodies bodies = {0};
-    bool good = shapes_make(&bodies, context, error) && place_check(&bodies, context, error);
-    shapes_free(&bodies);
+    bool good =
+        bodies_shapes_make(&bodies, context->scene, options, error) && place_check(&bodies, context, error);
+    bodies_shapes_free(&bodies);
     return good && rocks_check(context, error);
 }
 
@@ -100,7 +67,7 @@ struct bodies *bodies_of(const struct physics_set *set) {
 static void *create(const struct physics_context *context) {
     struct bodies *bodies = memory_allocate_zero(1, sizeof *bodies, "bodies");
     struct error none = {0};
-    if (!shapes_make(bodies, context, &none))
+    if (!bodies_shapes_make(bodies, context->scene, context->options, &none))
         error_fatal("%s", none.text); /* a file that has changed since the check */
     if (bodies->options->rocks > 0)
         bodies->rocks = rocks_create(context);
@@ -113,7 +80,7 @@ static void *create(const struct physics_context *context) {
 
 static void destroy(void *self) {
     struct bodies *bodies = self;
-    shapes_free(bodies);
+    bodies_shapes_free(bodies);
     bodies_links_free(&bodies->links);
     rocks_free(&bodies->rocks);
     memory_free(bodies);
@@ -196,8 +163,7 @@ static void ease(const struct physics_context *context, size_t i, const struct p
     const struct particles *p = context->particles;
     int first = 0, count = 0;
     if (i == SIZE_MAX) {
-        count = place_shapes(bodies->options, place_entry(bodies->options, grain->material, grain->radius),
-                             &first);
+        count = place_shapes(bodies->options, place_entry(bodies->options, grain), &first);
     } else if (bodies->rocks && rocks_shape(p, i) >= 0) {
         first = rocks_shape(p, i);
         count = 1;
@@ -221,6 +187,10 @@ static double stiffest(const struct physics_context *context, const struct stabi
 
 static void full_step(const struct physics_context *context) {
     bodies_motion_full_step(context->self, context);
+}
+
+static void shapes(const struct physics_context *context, struct output_shapes *list) {
+    bodies_shapes_show(context->self, list);
 }
 
 static void restart(const struct physics_context *context, struct restart *list) {
@@ -344,7 +314,7 @@ static const struct physics_joints joints = {.joined = joined,
                                              .ease = ease,
                                              .stiffen = stiffen,
                                              .stiffest = stiffest};
-static const struct physics_shown shown = {.full_step = full_step};
+static const struct physics_shown shown = {.full_step = full_step, .shapes = shapes};
 
 const struct physics bodies_physics = {.name = "bodies",
                                        .box_moves = true,

@@ -23,15 +23,20 @@ static const struct schema_name orientation_names[] = {
     {"given", CLUMP_GIVEN, "`quaternion`"},
     {0}};
 
+#define VOLUME_HELP "only where sources name the entry by `shape`: the body has the volume of a sphere of the radius that the source gives, and the source places the ball around the body"
+#define AUTO_HELP "`volume` where sources name the entry, but `grain` in two dimensions; else `grain`"
+
 static const struct schema_name size_names[] = {
     {"grain", CLUMP_BY_GRAIN, "the body is scaled, so that the ball around it has the radius of its grain"},
     {"drawn", CLUMP_AS_DRAWN, "places and radii of the members are those of the entry; the radius of the grain only keeps it from other grains "
                               "and walls of its source, and chooses the entry"},
+    {"volume", CLUMP_BY_VOLUME, VOLUME_HELP},
+    {"auto", CLUMP_AUTO, AUTO_HELP},
     {0}};
 
 /* Keys of all entries: which grains become such bodies, and how they begin. */
 #define WHICH_ROWS(owner) \
-    {.key = "name", .type = SCHEMA_TEXT, .fallback = "body", AT(owner, entry.name), .help = "name, for messages", \
+    {.key = "name", .type = SCHEMA_TEXT, .fallback = "body", AT(owner, entry.name), .help = "name, for messages and for the key `shape` of sources", \
      .example = "dumbbell"}, \
     {.key = "material", .type = SCHEMA_REF, .target = "materials", AT(owner, entry.material), \
      .help = "grains of this material become such bodies: each grain stands for the ball around its body, about the centre " \
@@ -64,8 +69,8 @@ static const struct schema_row clump_rows[] = {
      .help = "number of spheres of a mesh, at most"},
     {.key = "scale", .type = SCHEMA_REAL, .range = "(0, inf)", .fallback = "1", AT(struct clump_options, scale),
      .help = "lengths of the file or mesh x this", .example = "0.001"},
-    {.key = "size", .type = SCHEMA_NAME, .names = size_names, .fallback = "grain", AT(struct clump_options, entry.size),
-     .help = "size of the body; the centre of mass is at the centre of the grain in both cases"},
+    {.key = "size", .type = SCHEMA_NAME, .names = size_names, .fallback = "auto", AT(struct clump_options, entry.size),
+     .help = "size of the body; the centre of mass is at the centre of the grain in any case"},
     {.key = "mass", .type = SCHEMA_REAL, .unit = "kg", .range = "(0, inf)", AT(struct clump_options, entry.mass),
      .help = "mass of the body in the size of the entry; left out: volume of its spheres together x density of its grain",
      .example = "3 g"},
@@ -82,6 +87,8 @@ static const struct schema_name rock_size_names[] = {
     {"grain", CLUMP_BY_GRAIN, "the rock is scaled, so that the ball around it has the radius of its grain"},
     {"drawn", CLUMP_AS_DRAWN, "the rock has the size of the entry; the radius of the grain only keeps it from other grains and walls of its "
                               "source, and chooses the entry"},
+    {"volume", CLUMP_BY_VOLUME, VOLUME_HELP},
+    {"auto", CLUMP_AUTO, AUTO_HELP},
     {0}};
 
 static const struct schema_row random_rows[] = {
@@ -114,8 +121,8 @@ static const struct schema_row rock_rows[] = {
      .example = "0.1 mm"},
     {.key = "roundness", .type = SCHEMA_REAL, .range = "(0, 0.9]", .fallback = "0.1", AT(struct rock_options, draw.roundness),
      .help = "without rounding: its radius over the distance from the centre of mass to the nearest face"},
-    {.key = "size", .type = SCHEMA_NAME, .names = rock_size_names, .fallback = "grain", AT(struct rock_options, entry.size),
-     .help = "size of the rock; the centre of mass is at the centre of the grain in both cases"},
+    {.key = "size", .type = SCHEMA_NAME, .names = rock_size_names, .fallback = "auto", AT(struct rock_options, entry.size),
+     .help = "size of the rock; the centre of mass is at the centre of the grain in any case"},
     {.key = "mass", .type = SCHEMA_REAL, .unit = "kg", .range = "(0, inf)", AT(struct rock_options, entry.mass),
      .help = "mass of the body in the size of the entry; left out: volume x density of its grain",
      .example = "3 g"},
@@ -126,7 +133,7 @@ static const struct schema_table rock_table = TABLE(rock_rows);
 static const struct schema_row section[] = {
     {.key = "clumps", .type = SCHEMA_LIST, .sub = &clump_table,
      ARRAY_AT(struct bodies_options, clump, clumps),
-     .help = "bodies of spheres; a grain becomes the first whose material and radii fit, others stay spheres"},
+     .help = "bodies of spheres; a grain whose source names no shape becomes the first whose material and radii fit, others stay spheres"},
     {.key = "shapes", .type = SCHEMA_LIST, .sub = &rock_table, ARRAY_AT(struct bodies_options, rock, rocks),
      .help = "rocks: convex bodies with flat faces; looked at after clumps"},
 };

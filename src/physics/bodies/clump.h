@@ -11,13 +11,15 @@
 enum { CLUMPS_MAX = 32, CLUMP_SPHERES_MAX = 32, CLUMP_PATH_MAX = 256 };
 
 enum clump_orientation { CLUMP_RANDOM, CLUMP_GIVEN };
-enum clump_size { CLUMP_BY_GRAIN, CLUMP_AS_DRAWN };
+/* CLUMP_AUTO stands only until the scene has been read (bodies_finish). */
+enum clump_size { CLUMP_BY_GRAIN, CLUMP_AS_DRAWN, CLUMP_BY_VOLUME, CLUMP_AUTO };
 
 /* What entries of all shapes say: which grains become such bodies, and how they begin. */
 struct clump_entry {
     char name[SCENE_NAME_MAX];
     int material;                     /* grains of this material become such bodies; -1: the only one */
     double radius_above, radius_upto; /* of grains that become such bodies */
+    bool named;                       /* no key: sources name this entry, and it takes their grains alone */
     enum clump_size size;
     double mass; /* NAN: from the density of the grains' material */
     enum clump_orientation orientation;
@@ -58,6 +60,7 @@ struct clump {
     double ease;    /* of a clump: the largest inertia that the spheres' shares have over that of the body, at
                        least 1 */
     double axes[4]; /* turns this frame to that of the entry */
+    double span;    /* size: volume: radius of the grain that becomes the shape in the size of the entry */
     bool overlap;
     struct solid
         core;        /* of a rock, in this frame: its one sphere is the ball around it. No corners: a clump */

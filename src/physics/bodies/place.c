@@ -12,33 +12,35 @@
 #include "kernel/particles/groups.h"
 #include "kernel/particles/fields.h"
 #include "kernel/particles/kinds.h"
+#include "kernel/particles/shape.h"
 #include <inttypes.h>
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
 
-static bool entry_fits(const struct clump_entry *entry, int material, double radius) {
-    return (entry->material < 0 || entry->material == material) && radius > entry->radius_above &&
-           radius <= entry->radius_upto;
+/* True of entries that choose grains by themselves, and by the material not against this one. */
+static bool entry_chooses(const struct clump_entry *entry, int material) {
+    return !entry->named && (entry->material < 0 || entry->material == material);
 }
 
-int place_entry(const struct bodies_options *options, int material, double radius) {
-    for (int k = 0; k < options->clumps; k++)
-        if (entry_fits(&options->clump[k].entry, material, radius))
+int place_entry(const struct bodies_options *options, const struct physics_grain *grain) {
+    if (grain->shape > 0)
+        return grain->shape - 1;
+    for (int k = 0; k < bodies_entries(options); k++) {
+        const struct clump_entry *entry = bodies_entry(options, k);
+        if (entry_chooses(entry, grain->material) && grain->radius > entry->radius_above &&
+            grain->radius <= entry->radius_upto)
             return k;
-    for (int k = 0; k < options->rocks; k++)
-        if (entry_fits(&options->rock[k].entry, material, radius))
-            return options->clumps + k;
+    }
     return -1;
 }
 
 double place_edge(const struct bodies_options *options, int material, double radius) {
     double least = INFINITY;
-    for (int k = 0; k < options->clumps + options->rocks; k++) {
-        const struct clump_entry *entry =
-            k < options->clumps ? &options->clump[k].entry : &options->rock[k - options->clumps].entry;
+    for (int k = 0; k < bodies_entries(options); k++) {
+        const struct clump_entry *entry = bodies_entry(options, k);
         const double bound[2] = {entry->radius_above, entry->radius_upto};
-        for (int e = 0; e < 2 && (entry->material < 0 || entry->material == material); e++)
+        for (int e = 0; e < 2 && entry_chooses(entry, material); e++)
             least = bound[e] > radius ? fmin(least, bound[e]) : least;
     }
     return least;
@@ -55,7 +57,7 @@ int place_shapes(const struct bodies_options *options, int entry, int *first) {
 /* The shape of a grain: of those of its entry, one by its variant or its id. -1: none. */
 static int shape_of(const struct bodies *bodies, uint64_t seed, const struct physics_grain *grain) {
     int first, variant = grain->variant;
-    const int entry = place_entry(bodies->options, grain->material, grain->radius);
+    const int entry = place_entry(bodies->options, grain);
     const int variants = place_shapes(bodies->options, entry, &first);
     if (variant < 0 && entry >= bodies->options->clumps) {
         struct random_sequence random =
@@ -69,10 +71,12 @@ static int shape_of(const struct bodies *bodies, uint64_t seed, const struct phy
 /* The shape that particle i becomes, -1: none. */
 static int shape_at(const struct bodies *bodies, const struct physics_context *context, size_t i) {
     const struct particles *p = context->particles;
+    const int32_t *shape = shape_numbers(p);
     const struct physics_grain grain = {.material = material_of(material_numbers(p), i),
                                         .radius = p->state[i].radius,
                                         .id = p->id[i],
-                                        .variant = -1};
+                                        .variant = -1,
+                                        .shape = shape ? shape[i] : 0};
     return kinds_of(p)[i] == KIND_GRAIN ? shape_of(bodies, context->scene->seed, &grain) : -1;
 }
 
@@ -108,7 +112,11 @@ static void orientation_choose(const struct physics_context *context, const stru
 
 /* The radius of the ball around the body that a grain becomes. */
 static double ball_of(const struct bodies *bodies, int number, double radius) {
-    return bodies->entry[number]->size == CLUMP_AS_DRAWN ? bodies->clump[number].extent : radius;
+    const struct clump *clump = &bodies->clump[number];
+    const enum clump_size size = bodies->entry[number]->size;
+    return size == CLUMP_AS_DRAWN    ? clump->extent
+           : size == CLUMP_BY_VOLUME ? radius / clump->span * clump->extent
+                                     : radius;
 }
 
 /* Turns grain i into the particle of a body. */
@@ -286,7 +294,7 @@ void place_join(struct bodies *bodies, const struct physics_context *context, si
 bool place_admit(const struct bodies *bodies, const struct box *box, const struct physics_grain *grain,
                  struct error *error) {
     int first;
-    const int entry = place_entry(bodies->options, grain->material, grain->radius);
+    const int entry = place_entry(bodies->options, grain);
     const int shapes = place_shapes(bodies->options, entry, &first);
     for (int s = first; s < first + shapes; s++)
         if (bodies->clump[s].core.corners > 0 && !fits_box(box, ball_of(bodies, s, grain->radius)))
@@ -297,18 +305,35 @@ bool place_admit(const struct bodies *bodies, const struct box *box, const struc
     return true;
 }
 
-static bool check_insertion(const struct bodies *bodies, const struct physics_context *context, int k,
-                            struct error *error) {
-    const struct insertion_options *insertion = &context->scene->insertion[k];
+/* Grains that come from a source or an insertion. */
+struct coming {
+    const struct sizes_options *sizes;
+    const struct source_form *form;
+    int material;
+    const char *list;
+    int number;
+};
+
+/* True if such grains may become shape s. */
+static bool may_become(const struct bodies *bodies, const struct coming *coming, int s, double smallest,
+                       double largest) {
+    const struct clump_entry *entry = bodies->entry[s];
+    if (coming->form->shape > 0)
+        return entry == bodies_entry(bodies->options, coming->form->shape - 1);
+    return entry_chooses(entry, coming->material) && largest > entry->radius_above &&
+           smallest <= entry->radius_upto;
+}
+
+static bool check_coming(const struct bodies *bodies, const struct physics_context *context,
+                         const struct coming *coming, struct error *error) {
     double smallest, largest;
     char key[64];
-    snprintf(key, sizeof key, "insertions[%d].sizes", k);
-    sizes_bounds(&insertion->sizes, &smallest, &largest);
+    snprintf(key, sizeof key, "%s[%d].sizes", coming->list, coming->number);
+    sizes_bounds(coming->sizes, &smallest, &largest);
     for (int s = 0; s < bodies->shapes; s++) {
         const struct clump_entry *entry = bodies->entry[s];
         const struct clump *clump = &bodies->clump[s];
-        if ((entry->material >= 0 && entry->material != insertion->material) ||
-            !(largest > entry->radius_above && smallest <= entry->radius_upto))
+        if (!may_become(bodies, coming, s, smallest, largest))
             continue;
         const double ball = ball_of(bodies, s, fmin(largest, entry->radius_upto));
         if (entry->size == CLUMP_AS_DRAWN && fmax(smallest, entry->radius_above) < clump->extent)
@@ -328,8 +353,20 @@ static bool check_insertion(const struct bodies *bodies, const struct physics_co
 }
 
 bool place_check(const struct bodies *bodies, const struct physics_context *context, struct error *error) {
+    const struct scene *scene = context->scene;
     bool good = true;
-    for (int k = 0; k < context->scene->insertions && good; k++)
-        good = check_insertion(bodies, context, k, error);
+    for (int k = 0; k < scene->sources && good; k++) {
+        const struct source_options *source = &scene->source[k];
+        const bool sized = source->kind != SOURCE_FILE && source->kind != SOURCE_SINGLE;
+        const struct coming coming = {&source->sizes, &source->form, source->material, "particles.sources",
+                                      k};
+        good = !sized || source->form.shape == 0 || check_coming(bodies, context, &coming, error);
+    }
+    for (int k = 0; k < scene->insertions && good; k++) {
+        const struct insertion_options *insertion = &scene->insertion[k];
+        const struct coming coming = {&insertion->sizes, &insertion->form, insertion->material, "insertions",
+                                      k};
+        good = check_coming(bodies, context, &coming, error);
+    }
     return good;
 }

@@ -101,8 +101,10 @@ static void sorts_enter(void *data, const struct physics_context *c, struct phys
 static struct physics_grain grain_of(const struct physics_context *c, const struct insertion_options *options,
                                      double radius) {
     double density = options->density > 0 ? options->density : c->scene->material[options->material].density;
-    return (struct physics_grain){options->material, radius, particles_density(c->box, radius, density), 0,
-                                  0};
+    return (struct physics_grain){.material = options->material,
+                                  .radius = radius,
+                                  .density = particles_density(c->box, radius, density),
+                                  .shape = options->form.shape};
 }
 
 void sorts_entering(const struct physics_context *c, const struct insertion_options *options,
@@ -111,7 +113,8 @@ void sorts_entering(const struct physics_context *c, const struct insertion_opti
     bool made = false; /* spheres that stay as they are lie between their ends */
     sizes_bounds(&options->sizes, &radius[0], &radius[1]);
     for (double edge = nextafter(radius[0], 0);
-         (edge = physics_edge(c->set, options->material, edge)) < radius[1]; made = true)
+         options->form.shape == 0 && (edge = physics_edge(c->set, options->material, edge)) < radius[1];
+         made = true)
         for (int side = 0; side < 2; side++)
             visit(data, c, grain_of(c, options, fmax(side ? nextafter(edge, INFINITY) : edge, radius[0])));
     const struct physics_grain smallest = grain_of(c, options, radius[0]);

@@ -222,5 +222,26 @@ static void refuses(void **state) {
     }
 }
 
+/* The balls around bodies: all radii, bounds and moments by one factor. */
+static void balls(void **state) {
+    struct sizes_options law = {.law = SIZES_LOGNORMAL, .min = 0.5, .max = 2, .mean = 1, .width = 0.3},
+                         ball = law;
+    struct sizes_sampler plain, grown;
+    struct error error = {0};
+    (void)state;
+    ball.ball = 1.5;
+    assert_true(sizes_prepare(&plain, &law, &error) && sizes_prepare(&grown, &ball, &error));
+    for (uint64_t k = 0; k < 100; k++) {
+        struct random_sequence one = random_sequence(7, RANDOM_RADIUS, k), two = one;
+        close_to(sizes_draw(&grown, &two), 1.5 * sizes_draw(&plain, &one), 1e-15);
+    }
+    close_to(moment(&ball, 3), 3.375 * moment(&law, 3), 1e-12);
+    double least, most;
+    sizes_bounds(&ball, &least, &most);
+    close_to(least, 0.75, 1e-15);
+    close_to(most, 3, 1e-15);
+}
+
 TEST_MAIN(sizes, cmocka_unit_test(simple_laws), cmocka_unit_test(power_laws), cmocka_unit_test(sieve_curves),
-          cmocka_unit_test(refuses), cmocka_unit_test(forms_agree), cmocka_unit_test(forms_refused))
+          cmocka_unit_test(refuses), cmocka_unit_test(forms_agree), cmocka_unit_test(forms_refused),
+          cmocka_unit_test(balls))

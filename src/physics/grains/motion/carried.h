@@ -27,6 +27,7 @@ struct carried {
         *image)[3]; /* of each owned particle: image of the body whose member it is, in edges of the box */
     const struct carried_pose *pose;
     const struct box *box;
+    const double *solid; /* carried_solid */
 };
 
 /* Registers `body`. */
