@@ -108,6 +108,34 @@ leaves() {
 }
 check "a light disc leaves by an open side" leaves
 
+# A disc creeps along a floor: its path is that of the velocity that the fluid finds, though half of its momentum is lost to drag within a step of the fluid
+cat >slide.yaml <<'YAML'
+units: none
+box: {lower: [0, 0, 0], upper: [24, 16, 0], dimension: 2, periodic: [true, false, false]}
+gravity: [0.05, -0.0833333, 0]
+walls:
+  - {name: floor, shape: plane, point: [0, 0, 0], normal: [0, 1, 0]}
+  - {name: lid, shape: plane, point: [0, 16, 0], normal: [0, -1, 0]}
+contact: {law: hertz}
+materials: [{name: glass, density: 0.46875, young: 1000, poisson: 0.3}]
+material_pairs: [{restitution: 0.2, friction: 0}]
+particles: {from: single, position: [12, 4, 0], radius: 4}
+fluid: {spacing: 1, density: 1, viscosity: 10, equations: stokes, grains: {motion: free, coupling: rigid, every: 10}}
+step: {dt: 0.025, count: 1600}
+observables: {every: 40, list: [{name: position, id: 1}, {name: velocity, id: 1}]}
+output: {checkpoint: {at_end: false}}
+YAML
+creeps() { # SETTING...
+    rm -rf slid
+    run_scene 1 slide.yaml slid --set threads=1 "$@" && awk -F , '
+        NR == 1 { for (k = 1; k <= NF; k++) { sub(/\[.*/, "", $k); at[$k] = k } next }
+        NR > 15 { v = $at["particle1_vx"]; x = $at["particle1_x"]; if (n++) { path += x - last[1]; sum += 0.5 * (v + last[2]) * ($1 - last[0]) }; last[0] = $1; last[1] = x; last[2] = v }
+        END { printf "  path over the integral of the velocity: %.5g\n", path / sum; exit !(n > 20 && sum > 0.1 && path > 0.998 * sum && path < 1.002 * sum) }' slid/observables.csv
+}
+check "a disc that creeps along a floor goes as fast as the fluid says" creeps
+check "the same by a solver of contacts" creeps --set 'contact={law: rigid, solver: {sweeps: 50}}' --set 'materials=[{name: glass, density: 0.46875}]' --set step.dt=0.25 \
+    --set step.force=true --set fluid.grains.every=1 --set step.count=160 --set observables.every=4
+
 refused() { # TEXT SETTING...
     local text=$1
     shift
