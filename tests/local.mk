@@ -29,7 +29,8 @@ check_PROGRAMS += \
 	%D%/physics/bodies/test_clump %D%/physics/bonds/test_bonds %D%/physics/bonds/test_bonds_links \
 	%D%/physics/drag/test_drag %D%/physics/fluid/carried/test_fluid_layer \
 	%D%/physics/fluid/carried/test_fluid_scalar_links %D%/physics/fluid/coupling/test_fluid_grain_coupling \
-	%D%/physics/fluid/coupling/test_fluid_grain_surfaces %D%/physics/fluid/coupling/test_fluid_rigid \
+	%D%/physics/fluid/coupling/test_fluid_grain_surfaces %D%/physics/fluid/coupling/test_fluid_lubrication \
+	%D%/physics/fluid/coupling/test_fluid_rigid \
 	%D%/physics/fluid/lattice/test_fluid_arrangement %D%/physics/fluid/lattice/test_fluid_body_surfaces \
 	%D%/physics/fluid/lattice/test_fluid_mirror %D%/physics/fluid/lattice/test_fluid_pattern \
 	%D%/physics/fluid/lattice/test_fluid_walls %D%/physics/fluid/operators/test_fluid_correction_tensors \
