@@ -30,10 +30,10 @@ check_PROGRAMS += \
 	%D%/physics/drag/test_drag %D%/physics/fluid/carried/test_fluid_layer \
 	%D%/physics/fluid/carried/test_fluid_scalar_links %D%/physics/fluid/coupling/test_fluid_grain_coupling \
 	%D%/physics/fluid/coupling/test_fluid_grain_surfaces %D%/physics/fluid/coupling/test_fluid_lubrication \
-	%D%/physics/fluid/coupling/test_fluid_rigid \
-	%D%/physics/fluid/lattice/test_fluid_arrangement %D%/physics/fluid/lattice/test_fluid_body_surfaces \
-	%D%/physics/fluid/lattice/test_fluid_mirror %D%/physics/fluid/lattice/test_fluid_pattern \
-	%D%/physics/fluid/lattice/test_fluid_walls %D%/physics/fluid/operators/test_fluid_correction_tensors \
+	%D%/physics/fluid/coupling/test_fluid_rigid %D%/physics/fluid/lattice/test_fluid_arrangement \
+	%D%/physics/fluid/lattice/test_fluid_body_surfaces %D%/physics/fluid/lattice/test_fluid_mirror \
+	%D%/physics/fluid/lattice/test_fluid_pattern %D%/physics/fluid/lattice/test_fluid_walls \
+	%D%/physics/fluid/operators/test_fluid_correction_tensors \
 	%D%/physics/fluid/operators/test_fluid_gradient_correction %D%/physics/fluid/operators/test_fluid_mls \
 	%D%/physics/fluid/operators/test_fluid_operators %D%/physics/fluid/schemes/test_fluid_drive \
 	%D%/physics/fluid/schemes/test_fluid_open_sides %D%/physics/fluid/schemes/test_fluid_particle_shift \
