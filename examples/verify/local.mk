@@ -41,8 +41,8 @@ nobase_dist_pkgdata_DATA += \
 	%D%/vyas/scene.yaml %D%/wall-edge/plate.txt %D%/wall-edge/scene.yaml %D%/water-bed/discs.txt \
 	%D%/water-bed/discs.yaml %D%/water-bed/scene.yaml %D%/water-bed/spheres.yaml \
 	%D%/water-consolidation/permeability.yaml %D%/water-consolidation/scene.yaml %D%/water-hindered/scene.yaml \
-	%D%/water-settling/array.yaml %D%/water-settling/scene.yaml %D%/water-settling/shear.yaml \
-	%D%/water-two-spheres/scene.yaml
+	%D%/water-lubrication/scene.yaml %D%/water-settling/array.yaml %D%/water-settling/scene.yaml \
+	%D%/water-settling/shear.yaml %D%/water-two-spheres/scene.yaml %D%/water-two-spheres/spheres.yaml
 
 nobase_dist_pkgdata_SCRIPTS += \
 	%D%/beverloo-3d/check %D%/beverloo/check %D%/bonded-cantilever/check %D%/bouncing/check %D%/bowl/check \
@@ -64,4 +64,4 @@ nobase_dist_pkgdata_SCRIPTS += \
 	%D%/rolling-decay/check %D%/run.sh %D%/settling/check %D%/slide-to-roll/check %D%/stack/check \
 	%D%/sticking-velocity/check %D%/table.sh %D%/tumbling-clump/check %D%/turning-wall/check %D%/vyas/check \
 	%D%/wall-edge/check %D%/water-bed/check %D%/water-consolidation/check %D%/water-hindered/check \
-	%D%/water-settling/check %D%/water-two-spheres/check
+	%D%/water-lubrication/check %D%/water-settling/check %D%/water-two-spheres/check

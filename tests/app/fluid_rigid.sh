@@ -108,6 +108,34 @@ leaves() {
 }
 check "a light disc leaves by an open side" leaves
 
+# A disc creeps along a floor: its path is that of the velocity that the fluid finds, though half of its momentum is lost to drag within a step of the fluid
+cat >slide.yaml <<'YAML'
+units: none
+box: {lower: [0, 0, 0], upper: [24, 16, 0], dimension: 2, periodic: [true, false, false]}
+gravity: [0.05, -0.0833333, 0]
+walls:
+  - {name: floor, shape: plane, point: [0, 0, 0], normal: [0, 1, 0]}
+  - {name: lid, shape: plane, point: [0, 16, 0], normal: [0, -1, 0]}
+contact: {law: hertz}
+materials: [{name: glass, density: 0.46875, young: 1000, poisson: 0.3}]
+material_pairs: [{restitution: 0.2, friction: 0}]
+particles: {from: single, position: [12, 4, 0], radius: 4}
+fluid: {spacing: 1, density: 1, viscosity: 10, equations: stokes, grains: {motion: free, coupling: rigid, every: 10}}
+step: {dt: 0.025, count: 1600}
+observables: {every: 40, list: [{name: position, id: 1}, {name: velocity, id: 1}]}
+output: {checkpoint: {at_end: false}}
+YAML
+creeps() { # SETTING...
+    rm -rf slid
+    run_scene 1 slide.yaml slid --set threads=1 "$@" && awk -F , '
+        NR == 1 { for (k = 1; k <= NF; k++) { sub(/\[.*/, "", $k); at[$k] = k } next }
+        NR > 15 { v = $at["particle1_vx"]; x = $at["particle1_x"]; if (n++) { path += x - last[1]; sum += 0.5 * (v + last[2]) * ($1 - last[0]) }; last[0] = $1; last[1] = x; last[2] = v }
+        END { printf "  path over the integral of the velocity: %.5g\n", path / sum; exit !(n > 20 && sum > 0.1 && path > 0.998 * sum && path < 1.002 * sum) }' slid/observables.csv
+}
+check "a disc that creeps along a floor goes as fast as the fluid says" creeps
+check "the same by a solver of contacts" creeps --set 'contact={law: rigid, solver: {sweeps: 50}}' --set 'materials=[{name: glass, density: 0.46875}]' --set step.dt=0.25 \
+    --set step.force=true --set fluid.grains.every=1 --set step.count=160 --set observables.every=4
+
 refused() { # TEXT SETTING...
     local text=$1
     shift
@@ -148,6 +176,53 @@ check "a resume gives the same bits" eval 'rm -rf other; run_scene 1 drop.yaml o
     cmp <(tail -n 1 one/observables.csv) <(tail -n 1 other/observables.csv)'
 check "Newton's method gives the same" ranks 1 2e-3 "${solved[@]}" --set contact.solver.name=newton
 check "a solver of contacts and mirrors are refused" refused 'fluid: .*needs coupling: rigid' "${solved[@]}" --set fluid.grains=free --set fluid.motion=lagrangian
+
+# Lubrication of gaps below two spacings: discs land and roll apart slower; the same on all layouts
+near=(--set fluid.grains.lubrication=0.02)
+lands() {
+    local bare=$1
+    shift
+    rm -rf one
+    run_scene 1 drop.yaml one --set threads=1 "$@" && awk -F , 'NR == FNR { bare = $2; next } { now = $2 } END { printf "  energy %.4g, %.4g without\n", now, bare; exit !(now != bare && now < 10 * bare) }' "$bare" one/observables.csv
+}
+check "discs with lubrication fall" eval 'rm -rf bare && run_scene 1 drop.yaml bare --set threads=1 && lands bare/observables.csv "${near[@]}"'
+check "the same on 2 ranks, to the tolerance" ranks 2 2e-3 "${near[@]}"
+check "a resume gives the same bits" eval 'rm -rf other; run_scene 1 drop.yaml other --set threads=1 "${near[@]}" --resume one/checkpoint-800.h5 &&
+    cmp <(tail -n 1 one/observables.csv) <(tail -n 1 other/observables.csv)'
+check "lubrication and mirrors are refused" refused 'fluid.grains.lubrication: .*needs coupling: rigid' --set fluid.grains='{motion: free, lubrication: 0.02}' --set fluid.motion=lagrangian
+check "lubrication by a solver of contacts" lands bare/observables.csv "${solved[@]}" "${near[@]}"
+
+# Grains that are smaller to the fluid: the filled area is theirs
+small() {
+    rm -rf array
+    run_scene 1 array.yaml array --set threads=1 --set fluid.grains.hydraulic=0.8 --set step.count=40 --set observables.every=40 &&
+        within "$(last_of array fluid_porosity)" "$(calc '1 - 0.2 * 0.64')" 0.008
+}
+check "grains that are smaller to the fluid" small
+check "lubrication beside them is refused" refused 'fluid.grains.lubrication: .*one of the two' "${near[@]}" --set fluid.grains.hydraulic=0.8
+check "mirrors of them are refused" refused 'fluid.grains.hydraulic: ' --set fluid.grains='{motion: given, coupling: mirror, hydraulic: 0.8}'
+
+# A drum that is full of water turns: it lifts the discs in it until they roll down
+cat >drum.yaml <<'YAML'
+units: none
+box: {lower: [0, 0, 0], upper: [48, 48, 0], dimension: 2, density: area}
+gravity: [0, -0.0833333, 0]
+walls: [{name: drum, shape: cylinder, point: [24, 24, 0], axis: [0, 0, 1], radius: 22, inside: true, motion: [{kind: rotate, direction: [0, 0, 1], point: [24, 24, 0], rate: 0.01}]}]
+contact: {law: hertz}
+materials: [{name: glass, density: 2.5, young: 1000, poisson: 0.3}]
+material_pairs: [{restitution: 0.2, friction: 0.5}]
+seed: 1
+particles: {from: random, count: 9, sizes: 4}
+fluid: {spacing: 1, density: 1, viscosity: 0.2, grains: {motion: free, every: 40, hydraulic: 0.8}}
+step: {dt: 0.00625, count: 20000}
+observables: {every: 2000, list: [{name: centre}, {name: fluid_speed}, {name: energy_balance}]}
+output: {checkpoint: {at_end: false}}
+YAML
+turns() {
+    run_scene 1 drum.yaml drum --set threads=1 && awk -v x="$(last_of drum centre_x)" -v y="$(last_of drum centre_y)" -v v="$(last_of drum fluid_speed)" \
+        'BEGIN { printf "  discs at %.4g, %.4g, water up to %.3g\n", x, y, v; exit !(x > 27 && x < 36 && y > 10 && y < 20 && v > 0.2 && v < 1) }'
+}
+check "a drum of water and discs turns" turns
 
 check "ten discs fall and rest" env SCREE="$scree" SCREE_ARGS='--set threads=1' sh "$top_srcdir/examples/water_bed/check" "$out/bed"
 finish

@@ -87,9 +87,10 @@ enum fluid_coupling { FLUID_AUTO, FLUID_MIRROR, FLUID_RIGID }; /* AUTO: fluid_ri
 struct fluid_grains {
     enum fluid_grains_motion motion;
     enum fluid_coupling coupling;
-    int every; /* steps of the grains in a step of the fluid */
-    double
-        unresolved; /* radius up to which grains are not resolved (unresolved_grains.h), length; NAN: all are */
+    int every;          /* steps of the grains in a step of the fluid */
+    double unresolved;  /* radius up to which grains are not resolved (unresolved_grains.h); NAN: all are */
+    double hydraulic;   /* radius of a grain to the fluid over its own (solid_field.h) */
+    double lubrication; /* roughness down to which gaps have lubrication (lubrication.h); NAN: none has */
 };
 
 struct fluid_operators {

@@ -44,9 +44,9 @@ static const struct field
            .kinds = 1u << KIND_BOUNDARY, .needed_for = "fluid", .help = "of a boundary particle: its place in its grain"},
     load = {.name = "fluid_load", .type = FIELD_DOUBLE, .components = 6, .use = FIELD_TRAVELS, .fill = NAN,
             .kinds = 1u << KIND_GRAIN | 1u << KIND_BODY, .needed_for = "fluid.grains: free", .help = "force (N) and torque (N m) of the fluid on a grain in its last step"},
-    push = {.name = "fluid_push", .type = FIELD_DOUBLE, .components = 3, .use = FIELD_TRAVELS, .unit = "N",
+    push = {.name = "fluid_push", .type = FIELD_DOUBLE, .components = 6, .use = FIELD_TRAVELS,
             .kinds = 1u << KIND_GRAIN | 1u << KIND_BODY, .needed_for = "fluid.grains: free",
-            .help = "force on a grain by fluid and buoyancy in the last step"},
+            .help = "force (N) and torque (N m) on a grain by fluid and buoyancy in the last step"},
     velocity_before = {.name = "fluid_velocity_before", .type = FIELD_DOUBLE, .components = 3, .use = FIELD_TRAVELS,
                        .unit = "m s-1", OF_FLUID, .help = "velocity of the step before"},
     drift = {.name = "fluid_drift", .type = FIELD_DOUBLE, .components = 3, .use = FIELD_TRAVELS, .unit = "m s-1",
@@ -98,7 +98,7 @@ int fluid_load_handle(const struct particles *particles) {
     return fields_handle(particles, &load);
 }
 
-double (*fluid_push(const struct particles *particles))[3] {
+double (*fluid_push(const struct particles *particles))[6] {
     return fields_values(particles, &push);
 }
 

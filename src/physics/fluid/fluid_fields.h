@@ -40,7 +40,7 @@ double (*fluid_arm(const struct particles *particles))[3];
 void fluid_fields_free(struct particles *particles);
 double (*fluid_load(const struct particles *particles))[6];
 int fluid_load_handle(const struct particles *particles);
-double (*fluid_push(const struct particles *particles))[3];
+double (*fluid_push(const struct particles *particles))[6];
 
 /* Adds the fields of fluid particles that move; the arrays of struct flow of these names, or NULL. */
 void fluid_fields_moving(struct particles *particles);

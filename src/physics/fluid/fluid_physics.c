@@ -3,6 +3,8 @@
 #include "base/memory.h"
 #include "engine/physics.h"
 #include "physics/fluid/coupling/grain_coupling.h"
+#include "physics/fluid/coupling/lubrication.h"
+#include "physics/fluid/coupling/lubrication_pairs.h"
 #include "physics/fluid/coupling/rigid_fields.h"
 #include "physics/fluid/coupling/rigid_motion.h"
 #include "physics/fluid/coupling/rigid_step.h"
@@ -20,6 +22,13 @@
 #include "kernel/particles/kinds.h"
 #include <math.h>
 
+/* Grains meet grains and walls within the reach of lubrication; a wall has an infinite radius. */
+static double range_of_grains(const struct fluid_options *options, int kind_a, double radius_a, int kind_b,
+                              double radius_b) {
+    bool meet = (kind_a == KIND_GRAIN || isinf(radius_a)) && (kind_b == KIND_GRAIN || isinf(radius_b));
+    return meet && !isnan(options->grains.lubrication) ? LUBRICATION_REACH * options->spacing : -INFINITY;
+}
+
 /* Fluid meets fluid and boundary within the support, and grains whose surface is as near. */
 static double range(const void *context, int kind_a, double radius_a, int kind_b, double radius_b) {
     const struct fluid *own = context;
@@ -30,7 +39,7 @@ static double range(const void *context, int kind_a, double radius_a, int kind_b
     if (kind_a == KIND_BODY || kind_b == KIND_BODY) /* its members are there */
         return -INFINITY;
     if (!(fluid || rides) || isinf(radius_a) || isinf(radius_b))
-        return -INFINITY;
+        return range_of_grains(own->options, kind_a, radius_a, kind_b, radius_b);
     if (!fluid) /* a boundary particle finds its grain */
         return 0;
     if (grain && fluid_rigid(own->options)) /* nodes of the solid (solid_field.h) */
@@ -193,6 +202,14 @@ static const struct physics_pass passes[] = {
      .writes = "fluid_seen",
      .needed = unresolved_needed,
      .whole = unresolved_look},
+    {.name = "lubrication",
+     .why = "lubrication of grains that are near each other",
+     .place = PASS_SHARES,
+     .does = "lubrication that a fluid does not resolve",
+     .reads = "position velocity",
+     .writes = "force",
+     .needed = lubrication_wanted,
+     .whole = lubrication_pairs_add},
     {.name = "flow",
      .place = PASS_CLOSE,
      .does = "the flow of a fluid: operators, matrices and solves",

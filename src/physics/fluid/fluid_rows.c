@@ -89,6 +89,11 @@ static const struct schema_row grains_rows[] = {
     {.key = "unresolved", .type = SCHEMA_REAL, .unit = "m", .range = "(0, inf)", AT(struct fluid_grains, unresolved),
      .help = "radius up to which grains are not resolved: the law of the section drag moves them, and the fluid loses what they gain; left out: none",
      .example = "50 um"},
+    {.key = "hydraulic", .type = SCHEMA_REAL, .range = "[0.5, 1]", .fallback = "1", AT(struct fluid_grains, hydraulic),
+     .help = "radius of a grain to the fluid over that of its contacts, with coupling: rigid: in two dimensions 0.8 leaves open the pores between discs that touch"},
+    {.key = "lubrication", .type = SCHEMA_REAL, .unit = "m", .range = "(0, inf)", AT(struct fluid_grains, lubrication),
+     .help = "the roughness: gaps from two spacings down to it have the part of lubrication that the spacing does not resolve; with coupling: rigid; left out: no gap has",
+     .example = "1 um"},
 };
 static const struct schema_table grains_table = TABLE(grains_rows);
 

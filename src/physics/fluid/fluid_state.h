@@ -11,6 +11,7 @@
 #include "physics/fluid/schemes/steady.h"
 
 struct rigid;
+struct lubrication_pairs;
 struct scalars;
 struct electrolyte;
 
@@ -57,9 +58,10 @@ struct fluid {
     double (*jump)
         [6]; /* by particle number: by how much the fluid has changed velocity and spin of grains in this step; NULL: not */
     struct rigid *rigid; /* of grains in which the flow is rigid (rigid_step.h); NULL: mirrors */
-    bool apart;          /* it was told that forces and velocities of grains do not agree (coupled_solve.h) */
-    double work;         /* on grains that the fluid moves, since the start; energy */
-    struct error error;  /* until the guard takes it */
+    struct lubrication_pairs *lubrication; /* lubrication_pairs.h; NULL: not wanted */
+    bool apart;         /* it was told that forces and velocities of grains do not agree (coupled_solve.h) */
+    double work;        /* on grains that the fluid moves, since the start; energy */
+    struct error error; /* until the guard takes it */
 };
 
 #endif

@@ -17,9 +17,12 @@ static const struct field
     motion_of = {.name = "fluid_motion", .type = FIELD_DOUBLE, .components = 12, .use = FIELD_TRAVELS, .fill = NAN,
                  OF_RIGID, .needed_for = "fluid.grains",
                  .help = "velocity (m/s) and spin (rad/s) of a grain after the last step of the fluid, and their changes in it"},
-    impulse = {.name = "fluid_impulse", .type = FIELD_DOUBLE, .components = RIGID_IMPULSE, .use = FIELD_TRAVELS,
-               OF_RIGID, .needed_for = "fluid.grains",
-               .help = "momentum (N s, N m s) that contacts gave a grain since the last step of the fluid; 1 if it was touched in the last step"},
+    impulse = {.name = "fluid_impulse", .type = FIELD_DOUBLE, .components = 6, .use = FIELD_TRAVELS, OF_RIGID,
+               .needed_for = "fluid.grains",
+               .help = "momentum (N s, N m s) that contacts gave a grain since the last step of the fluid"},
+    held = {.name = "fluid_held", .type = FIELD_DOUBLE, .components = 6, .use = FIELD_TRAVELS, .fill = NAN,
+            OF_RIGID, .needed_for = "fluid.grains",
+            .help = "force (N) and torque (N m) of the fluid that a grain has in its own steps"},
     found = {.name = "fluid_found", .type = FIELD_DOUBLE, .components = 6, OF_RIGID,
              .needed_for = "fluid.grains", .help = "velocity and spin of a grain within a step"};
 /* clang-format on */
@@ -30,6 +33,7 @@ void rigid_fields_add(struct particles *particles) {
     fields_register(particles, &potential);
     fields_register(particles, &motion_of);
     fields_register(particles, &impulse);
+    fields_register(particles, &held);
     fields_register(particles, &found);
 }
 
@@ -49,8 +53,12 @@ double (*rigid_fields_motion(const struct particles *particles))[12] {
     return fields_values(particles, &motion_of);
 }
 
-double (*rigid_fields_impulse(const struct particles *particles))[RIGID_IMPULSE] {
+double (*rigid_fields_impulse(const struct particles *particles))[6] {
     return fields_values(particles, &impulse);
+}
+
+double (*rigid_fields_held(const struct particles *particles))[6] {
+    return fields_values(particles, &held);
 }
 
 double (*rigid_fields_found(const struct particles *particles))[6] {

@@ -5,7 +5,7 @@
  *   (m + M_e) U + omega x s = rho sum g V v + M_e U_n + (M - rho V) g dt + I
  *   s x U + (J + J_e) omega = rho sum g V r x v + J_e omega_n + T
  *
- * with impulse I and torque T of its contacts. M_e, J_e are what the grain has more than the fluid in it: M - rho V where that is heavier, else M less the mean of m over
+ * with impulse I and torque T of its contacts. M_e, J_e are what the grain has more than the fluid in it: M - rho V where that is heavier, else, and where the grain is smaller to the fluid (`hydraulic`), M less the mean of m over
  * all lattices, so that the whole inertia stays M.
  *
  * Where these are negative, half of them acts with the acceleration of the step before. For a fluid that a step of viscosity leaves the part a of the momentum m U, with b = -M_e / m, and the part c of m late,

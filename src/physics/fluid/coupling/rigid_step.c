@@ -30,6 +30,7 @@ static struct solid_places places_of(const struct physics_context *context) {
         .shift = (const double(*)[4])context->list[0]->shift,
         .first = fluid->weights.first,
         .spacing = options->spacing,
+        .hydraulic = options->grains.hydraulic,
         .kappa = solid_kappa(options->spacing, options->viscosity / options->density, grain_dt(context)),
         .dimension = context->box->dimension};
 }

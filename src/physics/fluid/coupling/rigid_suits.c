@@ -4,6 +4,7 @@
 #include "physics/bodies/bodies.h"
 #include "physics/fluid/coupling/unresolved_grains.h"
 #include "physics/fluid/fluid.h"
+#include <math.h>
 #include <stdio.h>
 
 static bool refuse(const struct physics_context *context, const char *key, const char *why,
@@ -12,11 +13,18 @@ static bool refuse(const struct physics_context *context, const char *key, const
                       "%s does not go with fluid.grains.coupling: rigid; allowed with it: %s", why, allowed);
 }
 
-/* The fluid in a body has the centre and the moments of its shape. */
+/* The fluid in a body has the surface, the centre and the moments of its shape. */
 static bool bodies_suit(const struct physics_context *context, struct error *error) {
+    const struct fluid_options *options = context->options;
     const struct scene *scene = context->scene;
     const struct bodies_options *bodies =
         scene->physics_given[PHYSICS_bodies] ? (const void *)scene->physics[PHYSICS_bodies] : NULL;
+    if (bodies != NULL && options->grains.hydraulic < 1)
+        return scene_fail(scene, error, "fluid.grains.hydraulic",
+                          "bodies have the surface of their shapes; allowed with them: 1");
+    if (bodies != NULL && bodies->rocks > 0 && !isnan(options->grains.lubrication))
+        return scene_fail(scene, error, "fluid.grains.lubrication",
+                          "the faces of rocks have no lubrication; allowed with it: grains and clumps");
     for (int k = 0; bodies != NULL && k < bodies->clumps; k++) {
         char key[64];
         snprintf(key, sizeof key, "bodies.clumps[%d]", k);
@@ -31,11 +39,20 @@ bool rigid_suits(const struct physics_context *context, struct error *error) {
     if (!fluid_rigid(options) && context->scene->physics_given[PHYSICS_hard])
         return scene_fail(context->scene, error, "fluid",
                           "a fluid around grains with contact.solver needs coupling: rigid (fluid.grains)");
+    if (!fluid_rigid(options) && !isnan(options->grains.lubrication))
+        return scene_fail(context->scene, error, "fluid.grains.lubrication",
+                          "lubrication needs coupling: rigid (fluid.grains)");
     if (!fluid_rigid(options) && context->scene->physics_given[PHYSICS_bodies])
         return scene_fail(context->scene, error, "fluid",
                           "a fluid around bodies needs coupling: rigid (fluid.grains)");
+    if (!fluid_rigid(options) && options->grains.hydraulic < 1)
+        return scene_fail(context->scene, error, "fluid.grains.hydraulic",
+                          "a radius of its own needs coupling: rigid (fluid.grains); allowed with others: 1");
     if (!fluid_rigid(options))
         return true;
+    if (options->grains.hydraulic < 1 && !isnan(options->grains.lubrication))
+        return refuse(context, "fluid.grains.lubrication", "lubrication beside hydraulic < 1",
+                      "one of the two", error);
     if (options->time != FLUID_TRANSIENT)
         return refuse(context, "fluid.time", "a steady flow", "transient", error);
     if (options->motion.name != FLUID_FIXED)

@@ -74,17 +74,18 @@ void rigid_sums_momenta(const struct rigid_work *work, const double (*v)[3]) {
 /* The sums of a sphere in the fluid are at least the mean over this. */
 #define GRAIN_WHOLE 1.1
 
-/* What a grain has that the fluid in it has not: where it is lighter, by the mean of a sphere alone over all lattices, and by the present sums of a body. */
+/* What a grain has that the fluid in it has not: where it is lighter, or smaller to the fluid, by the mean of a sphere alone over all lattices, and by the present sums of a body. */
 static struct rigid_grains_own own_of(const struct rigid_work *work, size_t i,
                                       const struct rigid_inertia *inertia) {
     const struct physics_context *context = work->context;
     const struct fluid_options *options = work->fluid->options;
     const struct rigid_grains_sums *sums = &work->rigid->sums[i - work->grains.first];
-    const bool light = inertia->mass < inertia->displaced;
+    const double hydraulic = options->grains.hydraulic;
+    const bool small = hydraulic < 1, light = small || inertia->mass < inertia->displaced;
     struct rigid_grains_own own = {.dimension = context->box->dimension, .turns = inertia->turns};
     double volume = 0, second = 0;
     if (!inertia->body) { /* at an open side a part of it may lie outside of the fluid */
-        solid_mean(context->particles->state[i].radius, options->spacing, work->kappa,
+        solid_mean(hydraulic * context->particles->state[i].radius, options->spacing, work->kappa,
                    context->box->dimension, &volume, &second);
         volume = fmin(options->density * volume, GRAIN_WHOLE * sums->mass);
         second = fmin(options->density * second, GRAIN_WHOLE * fmax(sums->second[0], sums->second[2]));
@@ -93,7 +94,7 @@ static struct rigid_grains_own own_of(const struct rigid_work *work, size_t i,
     own.late_mass = fmin(0.5 * own.mass, 0);
     own.mass -= own.late_mass;
     for (int k = 0; k < 6; k++) {
-        bool swings = inertia->body ? light : inertia->own[k] < inertia->fluid[k];
+        bool swings = inertia->body ? light : small || inertia->own[k] < inertia->fluid[k];
         own.inertia[k] = inertia->own[k] - (!swings         ? inertia->fluid[k]
                                             : inertia->body ? sums->second[k]
                                             : k < 3         ? second

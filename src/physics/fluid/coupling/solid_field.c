@@ -64,7 +64,7 @@ static struct solid_part part_of(const struct solid_places *places, const struct
         part.arm[d] = node->x[d] - grain->x[d] - shift[d];
         square += part.arm[d] * part.arm[d];
     }
-    double distance = sqrt(square) - grain->radius;
+    double distance = sqrt(square) - places->hydraulic * grain->radius;
     if (places->bodies != NULL && rigid_bodies_member(places->bodies->particles, part.grain))
         part.grain = rigid_bodies_carrier(places->bodies, part.grain, part.arm, &distance);
     part.share = solid_edge(distance / (SOLID_EDGE * places->spacing));

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* The part of each node of a fixed lattice that grains fill, where the fluid fills the whole box, grains included
- * (`fluid.grains: {coupling: rigid}`). A body (rigid_bodies.h) has the largest phi of its members. With the signed distance d of a node from the surface of grain i, negative inside,
+ * (`fluid.grains: {coupling: rigid}`). The surface of a grain is that of `fluid.grains.hydraulic` times its radius. A body (rigid_bodies.h) has the largest phi of its members. With the signed distance d of a node from the surface of grain i, negative inside,
  *
  *   phi_i = (1 - sin(pi s / 2)) / 2,   s = d / (SOLID_EDGE spacing), cut to -1 ... 1;   Phi = min(1, sum of phi_i)
  *
@@ -60,7 +60,7 @@ struct solid_places {
     const struct particle_state *state;   /* by particle number, owned and copies */
     const double (*shift)[4];             /* of image codes */
     size_t first;                         /* the particle of row 0 */
-    double spacing, kappa;
+    double spacing, kappa, hydraulic;
     int dimension;
 };
 

@@ -5,6 +5,7 @@
 #include "base/checksum.h"
 #include "base/memory.h"
 #include "physics/fluid/coupling/grain_coupling.h"
+#include "physics/fluid/coupling/lubrication_pairs.h"
 #include "physics/fluid/coupling/rigid_motion.h"
 #include "physics/fluid/coupling/rigid_step.h"
 #include "physics/fluid/coupling/surface_loads.h"
@@ -158,6 +159,8 @@ void fluid_passes_rebuilt(const struct physics_context *context) {
         unresolved_look(context); /* the first limit of a step reads what grains see */
     if (fluid->rigid != NULL)
         rigid_step_pairs(context, fluid->rigid, &fluid->pairs);
+    if (lubrication_wanted(context))
+        lubrication_pairs_take(context, &fluid->pairs);
     if (changed) {
         flow_number(&fluid->flow);
         scalars_rebuilt(context);
@@ -403,6 +406,7 @@ void fluid_passes_end(void *self) {
     if (fluid->rigid != NULL)
         rigid_step_free(fluid->rigid);
     memory_free(fluid->rigid);
+    lubrication_pairs_destroy(&fluid->lubrication);
     memory_free(fluid->given);
     memory_free(fluid->jump);
     memory_free(fluid->gaps);

@@ -103,7 +103,7 @@ static void grains_share_a_node(void **state) {
     solid_pairs_take(&solid, &rows, kind, 0, 1);
     assert_int_equal(solid.pairs, 2);
     const struct solid_places at = {
-        .state = places, .shift = none, .spacing = 0.1, .kappa = 2, .dimension = 2};
+        .state = places, .shift = none, .spacing = 0.1, .kappa = 2, .hydraulic = 1, .dimension = 2};
     solid_field_make(&solid, &at, 1, filled);
     assert_int_equal(solid.nodes, 1);
     assert_int_equal(solid.parts, 2);
