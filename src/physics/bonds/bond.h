@@ -41,8 +41,9 @@ enum bond_end { BOND_WHOLE, BOND_TENSION, BOND_SHEARED, BOND_LOST, BOND_ENDS };
 #define BOND_SECTION_TABLE(ROW)                                                                              \
     ROW(radius)                                                                                              \
     ROW(area)                                                                                                \
-    ROW(stretch) ROW(slide) ROW(bend) ROW(twist) ROW(tensile) ROW(shear) ROW(c_stretch) ROW(c_slide)         \
-        ROW(c_bend) ROW(c_twist) ROW(bend_over) ROW(twist_over)
+    ROW(stretch)                                                                                             \
+    ROW(slide) ROW(bend) ROW(twist) ROW(tensile) ROW(shear) ROW(c_stretch) ROW(c_slide) ROW(c_bend)          \
+        ROW(c_twist) ROW(bend_over) ROW(twist_over)
 #define BOND_SECTION_MEMBER(member) double member;
 struct bond_section {
     BOND_SECTION_TABLE(BOND_SECTION_MEMBER)
