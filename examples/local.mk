@@ -13,7 +13,7 @@ nobase_dist_pkgdata_DATA = \
 	%D%/bench/in.cells %D%/bench/in.chute %D%/bench/in.continuous %D%/bench/needs.yaml %D%/bench/packing.sh \
 	%D%/bench/packing.yaml %D%/bench/pairs.py %D%/bench/performance-guards.md \
 	%D%/bench/performance-index.head.md %D%/bench/performance-journal.head.md %D%/bench/performance.head.md \
-	%D%/bench/tables.sh %D%/bidisperse/README.md %D%/bidisperse/bidisperse_R10.data.gz \
+	%D%/bench/rocks.yaml %D%/bench/tables.sh %D%/bidisperse/README.md %D%/bidisperse/bidisperse_R10.data.gz \
 	%D%/bidisperse/compare.awk %D%/bidisperse/energies.awk %D%/bidisperse/energies.csv %D%/bidisperse/scene.yaml \
 	%D%/bidisperse/step0.dump.gz %D%/bidisperse/step200.dump.gz %D%/blade/README.md %D%/blade/blade.txt \
 	%D%/blade/picture.gp %D%/blade/scene.yaml %D%/cavity/README.md %D%/cavity/scene.yaml %D%/column/README.md \
@@ -58,39 +58,40 @@ nobase_dist_pkgdata_DATA = \
 	%D%/penetration/particles.txt.gz %D%/penetration/scene.yaml %D%/penetration/walls.txt %D%/pores.head.md \
 	%D%/pupcs/README.md %D%/pupcs/dense/scene.yaml %D%/pupcs/large/scene.yaml %D%/pupcs/sizes.gp \
 	%D%/pupcs/sparse/scene.yaml %D%/repose/README.md %D%/repose/last.awk %D%/repose/picture.gp \
-	%D%/repose/scene.yaml %D%/repose/slope.awk %D%/scaling/README.md %D%/scaling/boulders.awk \
-	%D%/scaling/boulders.yaml %D%/scaling/figures.awk %D%/scaling/hybrid.gp %D%/scaling/job.slurm \
-	%D%/scaling/lines.awk %D%/scaling/model.awk %D%/scaling/model.gp %D%/scaling/ranks.gp %D%/scaling/scene.yaml \
-	%D%/scaling/speed.gp %D%/scaling/tables.awk %D%/scour/README.md %D%/scour/onset.yaml %D%/scour/picture.gp \
-	%D%/scour/scene.yaml %D%/scour/stream.txt %D%/settling/README.md %D%/settling/liquids.txt \
-	%D%/settling/picture.gp %D%/settling/scene.yaml %D%/shear_cell/README.md %D%/shear_cell/scene.yaml \
-	%D%/solver/README.md %D%/solver/bed.yaml %D%/solver/collapse.yaml %D%/sphere_array/README.md \
-	%D%/sphere_array/scene.yaml %D%/taylor_green/README.md %D%/taylor_green/scene.yaml %D%/tumbling/README.md \
-	%D%/tumbling/picture.gp %D%/tumbling/scene.yaml %D%/two_sizes/README.md %D%/two_sizes/picture.gp \
-	%D%/two_sizes/scene.yaml %D%/water_bed/README.md %D%/water_bed/picture.gp %D%/water_bed/scene.yaml \
-	%D%/wet_pile/README.md %D%/wet_pile/picture.gp %D%/wet_pile/scene.yaml %D%/yade/README.md %D%/yade/gas.py \
-	%D%/yade/gas.yaml %D%/yade/yade.csv
+	%D%/repose/scene.yaml %D%/repose/slope.awk %D%/rocks/README.md %D%/rocks/drum.yaml %D%/rocks/heap.yaml \
+	%D%/rocks/hopper.yaml %D%/scaling/README.md %D%/scaling/boulders.awk %D%/scaling/boulders.yaml \
+	%D%/scaling/figures.awk %D%/scaling/hybrid.gp %D%/scaling/job.slurm %D%/scaling/lines.awk \
+	%D%/scaling/model.awk %D%/scaling/model.gp %D%/scaling/ranks.gp %D%/scaling/scene.yaml %D%/scaling/speed.gp \
+	%D%/scaling/tables.awk %D%/scour/README.md %D%/scour/onset.yaml %D%/scour/picture.gp %D%/scour/scene.yaml \
+	%D%/scour/stream.txt %D%/settling/README.md %D%/settling/liquids.txt %D%/settling/picture.gp \
+	%D%/settling/scene.yaml %D%/shear_cell/README.md %D%/shear_cell/scene.yaml %D%/solver/README.md \
+	%D%/solver/bed.yaml %D%/solver/collapse.yaml %D%/sphere_array/README.md %D%/sphere_array/scene.yaml \
+	%D%/taylor_green/README.md %D%/taylor_green/scene.yaml %D%/tumbling/README.md %D%/tumbling/picture.gp \
+	%D%/tumbling/scene.yaml %D%/two_sizes/README.md %D%/two_sizes/picture.gp %D%/two_sizes/scene.yaml \
+	%D%/water_bed/README.md %D%/water_bed/picture.gp %D%/water_bed/scene.yaml %D%/wet_pile/README.md \
+	%D%/wet_pile/picture.gp %D%/wet_pile/scene.yaml %D%/yade/README.md %D%/yade/gas.py %D%/yade/gas.yaml \
+	%D%/yade/yade.csv
 nobase_dist_pkgdata_SCRIPTS = \
 	%D%/ballast/check %D%/ballast/run.sh %D%/bead_packing/breakthrough.sh %D%/bead_packing/check \
 	%D%/bead_packing/picture.sh %D%/bead_packing/run.sh %D%/bead_packing/section.sh %D%/bed_erosion/check \
 	%D%/bed_erosion/run.sh %D%/bed_erosion/section.sh %D%/bench/auto.sh %D%/bench/bidisperse.sh \
 	%D%/bench/cells.sh %D%/bench/chute.sh %D%/bench/cohesion.sh %D%/bench/compare.sh %D%/bench/continuous.sh \
 	%D%/bench/fluid.sh %D%/bench/growth.sh %D%/bench/guards.sh %D%/bench/hard.sh %D%/bench/needs.sh \
-	%D%/bench/page.sh %D%/bench/penetration.sh %D%/bench/report.sh %D%/bench/roofline.sh %D%/bench/skin.sh \
-	%D%/bench/table1.sh %D%/bench/univol.sh %D%/bench/water.sh %D%/bidisperse/check %D%/bidisperse/run.sh \
-	%D%/blade/check %D%/blade/run.sh %D%/cavity/check %D%/cavity/run.sh %D%/columns/run.sh %D%/crushing/check \
-	%D%/crushing/run.sh %D%/dosta2024/measure.sh %D%/dosta2024/page.sh %D%/dosta2024/run.sh %D%/drum/check \
-	%D%/drum/lammps/run.sh %D%/drum/run.sh %D%/dumbbells/check %D%/dumbbells/run.sh %D%/electroosmosis/check \
-	%D%/electroosmosis/run.sh %D%/electroosmosis/section.sh %D%/ergun/check %D%/ergun/run.sh \
-	%D%/ergun/section.sh %D%/flow.sh %D%/fluid_scaling/run.sh %D%/fluid_scaling/section.sh \
+	%D%/bench/page.sh %D%/bench/penetration.sh %D%/bench/report.sh %D%/bench/rocks.sh %D%/bench/roofline.sh \
+	%D%/bench/skin.sh %D%/bench/table1.sh %D%/bench/univol.sh %D%/bench/water.sh %D%/bidisperse/check \
+	%D%/bidisperse/run.sh %D%/blade/check %D%/blade/run.sh %D%/cavity/check %D%/cavity/run.sh %D%/columns/run.sh \
+	%D%/crushing/check %D%/crushing/run.sh %D%/dosta2024/measure.sh %D%/dosta2024/page.sh %D%/dosta2024/run.sh \
+	%D%/drum/check %D%/drum/lammps/run.sh %D%/drum/run.sh %D%/dumbbells/check %D%/dumbbells/run.sh \
+	%D%/electroosmosis/check %D%/electroosmosis/run.sh %D%/electroosmosis/section.sh %D%/ergun/check \
+	%D%/ergun/run.sh %D%/ergun/section.sh %D%/flow.sh %D%/fluid_scaling/run.sh %D%/fluid_scaling/section.sh \
 	%D%/fluidised_bed/check %D%/fluidised_bed/run.sh %D%/fluidised_bed/section.sh %D%/gallery/check \
 	%D%/gallery/run.sh %D%/gate/check %D%/gate/run.sh %D%/hard/run.sh %D%/heated_drum/check \
 	%D%/heated_drum/run.sh %D%/lammps/check %D%/lammps/make.sh %D%/penetration/check \
 	%D%/penetration/lammps/run.sh %D%/penetration/layouts %D%/penetration/run.sh %D%/pores.sh %D%/pupcs/run.sh \
-	%D%/pupcs/sizes.sh %D%/repose/check %D%/repose/run.sh %D%/scaling/ghosts.sh %D%/scaling/page.sh \
-	%D%/scaling/run.sh %D%/scour/check %D%/scour/run.sh %D%/settling/check %D%/settling/run.sh \
-	%D%/settling/section.sh %D%/shear_cell/check %D%/shear_cell/run.sh %D%/solver/run.sh %D%/speed-error.sh \
-	%D%/sphere_array/check %D%/sphere_array/run.sh %D%/step-fraction.sh %D%/taylor_green/check \
-	%D%/taylor_green/run.sh %D%/tumbling/check %D%/tumbling/run.sh %D%/tumbling/section.sh %D%/two_sizes/check \
-	%D%/two_sizes/run.sh %D%/water_bed/check %D%/water_bed/run.sh %D%/wet_pile/check %D%/wet_pile/run.sh \
-	%D%/yade/run.sh
+	%D%/pupcs/sizes.sh %D%/repose/check %D%/repose/run.sh %D%/rocks/check %D%/rocks/run.sh %D%/scaling/ghosts.sh \
+	%D%/scaling/page.sh %D%/scaling/run.sh %D%/scour/check %D%/scour/run.sh %D%/settling/check \
+	%D%/settling/run.sh %D%/settling/section.sh %D%/shear_cell/check %D%/shear_cell/run.sh %D%/solver/run.sh \
+	%D%/speed-error.sh %D%/sphere_array/check %D%/sphere_array/run.sh %D%/step-fraction.sh \
+	%D%/taylor_green/check %D%/taylor_green/run.sh %D%/tumbling/check %D%/tumbling/run.sh \
+	%D%/tumbling/section.sh %D%/two_sizes/check %D%/two_sizes/run.sh %D%/water_bed/check %D%/water_bed/run.sh \
+	%D%/wet_pile/check %D%/wet_pile/run.sh %D%/yade/run.sh
