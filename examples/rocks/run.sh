@@ -22,11 +22,11 @@ mkdir -p "$out"
 
 # run NAME SCENE [FLAG...]
 run() {
-    name=$1
+    folder=$1
     scene=$2
     shift 2
     # shellcheck disable=SC2086
-    on_ranks "${SCREE_RANKS:-1}" "$SCREE" run "$here/$scene.yaml" -o "$out/$name" --overwrite --quiet "$@" ${SCREE_ARGS:-}
+    on_ranks "${SCREE_RANKS:-1}" "$SCREE" run "$here/$scene.yaml" -o "$out/$folder" --overwrite --quiet "$@" ${SCREE_ARGS:-}
 }
 
 # draw NAME RUN [FLAG...]
@@ -67,7 +67,7 @@ for one; do
         for roundness in 0.1 0.3 0.6 0.9; do
             if [ $quick = no ] || [ $roundness = 0.6 ]; then
                 # shellcheck disable=SC2046
-                heap $roundness $roundness --set bodies.shapes[0].roundness=$roundness $([ $quick = no ] || echo --set duration=0.2s)
+                heap $roundness $roundness --set bodies.shapes[0].roundness=$roundness $([ $quick = no ] || echo --set duration=0.05s)
             fi
         done
         [ $quick = yes ] || heap spheres spheres --set bodies='~' --set particles.sources[0].shape='""'
