@@ -42,8 +42,11 @@ enum bond_end { BOND_WHOLE, BOND_TENSION, BOND_SHEARED, BOND_LOST, BOND_ENDS };
     ROW(radius)                                                                                              \
     ROW(area)                                                                                                \
     ROW(stretch)                                                                                             \
-    ROW(slide) ROW(bend) ROW(twist) ROW(tensile) ROW(shear) ROW(c_stretch) ROW(c_slide) ROW(c_bend)          \
-        ROW(c_twist) ROW(bend_over) ROW(twist_over)
+    ROW(slide)                                                                                               \
+    ROW(bend)                                                                                                \
+    ROW(twist)                                                                                               \
+    ROW(tensile)                                                                                             \
+    ROW(shear) ROW(c_stretch) ROW(c_slide) ROW(c_bend) ROW(c_twist) ROW(bend_over) ROW(twist_over)
 #define BOND_SECTION_MEMBER(member) double member;
 struct bond_section {
     BOND_SECTION_TABLE(BOND_SECTION_MEMBER)

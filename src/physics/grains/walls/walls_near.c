@@ -139,9 +139,8 @@ static size_t near_particle(const struct walls *walls, const struct particles *p
         struct wall_piece *place = out ? out + count : NULL;
         if (fixed && !wall_moves(&walls->wall[w].options))
             continue;
-        size_t found = walls->wall[w].field
-                           ? near_field(walls, w, x, state->radius + margin, place)
-                           : walls_near(walls, w, x, state->radius + margin, place, number);
+        size_t found = walls->wall[w].field ? near_field(walls, w, x, state->radius + margin, place)
+                                            : walls_near(walls, w, x, state->radius + margin, place, number);
         if (place && found > 0)
             place->face = face_of(walls, place, found, x, margin);
         count += found;
