@@ -77,7 +77,7 @@ static void contacts_are_summed(void **state) {
  * before; and the first half of the next momentum is there. */
 static void velocities_are_half_a_step_before(void **state) {
     const double contact[NUMBERS] = {3, -1, 0, 0, 0, 0.4}, found[NUMBERS] = {0.7, 0.2, 0, 0, 0, -0.3};
-    const double before[NUMBERS] = {0.1, -0.6, 0, 0, 0, 0.5};
+    const double before[NUMBERS] = {0.1, -0.6, 0, 0, 0, 0.5}, load[NUMBERS] = {5, -3, 0, 0, 0, 0.7};
     struct team *team = *state;
     struct fluid_run run;
     if (fluid_run_begin(&run, team, disc, false)) {
@@ -89,20 +89,23 @@ static void velocities_are_half_a_step_before(void **state) {
         touch(&run, i, contact);
         rigid_motion_gather(run.context);
         memcpy(rigid_fields_motion(p)[i], found, sizeof found);
+        memcpy(fluid_load(p)[i], load, sizeof load);
         rigid_motion_set(run.context);
         rigid_bodies_motion(run.context, i, motion);
-        double held = (1 - RIGID_LOAD) * (displaced - mass) * gravity; /* the load of this step is none */
-        double push[2] = {0, held - displaced * gravity}, inertia = 0.4 * mass * 16;
+        double held =
+            (1 - RIGID_LOAD) * (displaced - mass) * gravity; /* of the start, where nothing touched */
+        double push[2] = {RIGID_LOAD * load[0], held + RIGID_LOAD * load[1] - displaced * gravity};
+        double inertia = 0.4 * mass * 16;
         for (int d = 0; d < 2; d++)
             assert_near(motion[d] + 0.5 * dt * ((contact[d] + push[d]) / mass + (d == 1 ? gravity : 0)),
                         found[d], 1e-13);
-        assert_near(motion[5] + 0.5 * dt * contact[5] / inertia, found[5], 1e-13);
+        assert_near(motion[5] + 0.5 * dt * (contact[5] + RIGID_LOAD * load[5]) / inertia, found[5], 1e-13);
         for (int d = 0; d < NUMBERS; d++) {
             assert_near(run.fluid->jump[i][d], motion[d] - before[d], 1e-14);
             assert_near(rigid_fields_impulse(p)[i][d], 0.5 * dt * contact[d], 1e-14);
         }
         rigid_motion_apply(run.context);
-        force_is(&run, i, contact[0], contact[1] + push[1]);
+        force_is(&run, i, contact[0] + push[0], contact[1] + push[1]);
         assert_null(run.fluid->jump); /* it has been counted */
     }
     fluid_run_free(&run);
