@@ -16,19 +16,20 @@ EXTRA_DIST += \
 	%D%/images/performance-cells.svg %D%/images/performance-continuous.svg %D%/images/performance-growth.svg \
 	%D%/images/performance-optimum.svg %D%/images/performance-roofline.svg %D%/images/performance-univol.svg \
 	%D%/images/picture-drum.png %D%/images/report-ablation.png %D%/images/report.png %D%/images/repose.png \
-	%D%/images/scaling-hybrid.svg %D%/images/scaling-model.svg %D%/images/scaling-ranks.svg \
-	%D%/images/scaling-sizes.svg %D%/images/scaling-speed.svg %D%/images/scour.png %D%/images/settling.png \
-	%D%/images/site.png %D%/images/speed-error-angle.svg %D%/images/speed-error-column.svg \
-	%D%/images/speed-error-drum.svg %D%/images/speed-error-penetration.svg %D%/images/tumbling.png \
-	%D%/images/tutorial.png %D%/images/two-sizes.png %D%/images/verify-beverloo-3d.svg \
-	%D%/images/verify-beverloo.svg %D%/images/verify-bonded-cantilever.svg %D%/images/verify-bouncing.svg \
-	%D%/images/verify-bowl.svg %D%/images/verify-capillary-bridge.svg %D%/images/verify-chain.svg \
-	%D%/images/verify-chung-ooi-1.svg %D%/images/verify-chung-ooi-2.svg %D%/images/verify-chung-ooi-3.svg \
-	%D%/images/verify-chung-ooi-4.svg %D%/images/verify-chung-ooi-5.svg %D%/images/verify-chung-ooi-6.svg \
-	%D%/images/verify-chung-ooi-7.svg %D%/images/verify-chung-ooi-8.svg %D%/images/verify-cradle.svg \
-	%D%/images/verify-dmt-pull-off.svg %D%/images/verify-drift-hertz.svg %D%/images/verify-drift-hooke.svg \
-	%D%/images/verify-drum-angle.svg %D%/images/verify-end-of-contact.svg %D%/images/verify-fluid-annulus.svg \
-	%D%/images/verify-fluid-cavity.svg %D%/images/verify-fluid-couette.svg %D%/images/verify-fluid-diffusion.svg \
+	%D%/images/rocks-drum.png %D%/images/rocks-hopper.png %D%/images/scaling-hybrid.svg \
+	%D%/images/scaling-model.svg %D%/images/scaling-ranks.svg %D%/images/scaling-sizes.svg \
+	%D%/images/scaling-speed.svg %D%/images/scour.png %D%/images/settling.png %D%/images/site.png \
+	%D%/images/speed-error-angle.svg %D%/images/speed-error-column.svg %D%/images/speed-error-drum.svg \
+	%D%/images/speed-error-penetration.svg %D%/images/tumbling.png %D%/images/tutorial.png \
+	%D%/images/two-sizes.png %D%/images/verify-beverloo-3d.svg %D%/images/verify-beverloo.svg \
+	%D%/images/verify-bonded-cantilever.svg %D%/images/verify-bouncing.svg %D%/images/verify-bowl.svg \
+	%D%/images/verify-capillary-bridge.svg %D%/images/verify-chain.svg %D%/images/verify-chung-ooi-1.svg \
+	%D%/images/verify-chung-ooi-2.svg %D%/images/verify-chung-ooi-3.svg %D%/images/verify-chung-ooi-4.svg \
+	%D%/images/verify-chung-ooi-5.svg %D%/images/verify-chung-ooi-6.svg %D%/images/verify-chung-ooi-7.svg \
+	%D%/images/verify-chung-ooi-8.svg %D%/images/verify-cradle.svg %D%/images/verify-dmt-pull-off.svg \
+	%D%/images/verify-drift-hertz.svg %D%/images/verify-drift-hooke.svg %D%/images/verify-drum-angle.svg \
+	%D%/images/verify-end-of-contact.svg %D%/images/verify-fluid-annulus.svg %D%/images/verify-fluid-cavity.svg \
+	%D%/images/verify-fluid-couette.svg %D%/images/verify-fluid-diffusion.svg \
 	%D%/images/verify-fluid-electroosmosis.svg %D%/images/verify-fluid-fluidised-bed.svg \
 	%D%/images/verify-fluid-operators.svg %D%/images/verify-fluid-poiseuille.svg \
 	%D%/images/verify-fluid-sphere-array.svg %D%/images/verify-fluid-taylor-aris.svg \
