@@ -65,14 +65,14 @@ nobase_dist_pkgdata_DATA = \
 	%D%/pores.head.md %D%/pupcs/README.md %D%/pupcs/dense/scene.yaml %D%/pupcs/large/scene.yaml \
 	%D%/pupcs/sizes.gp %D%/pupcs/sparse/scene.yaml %D%/repose/README.md %D%/repose/last.awk \
 	%D%/repose/picture.gp %D%/repose/scene.yaml %D%/repose/slope.awk %D%/rocks/README.md \
-	%D%/rocks/drum.yaml %D%/rocks/heap.yaml %D%/rocks/hopper.yaml %D%/scaling/README.md \
-	%D%/scaling/boulders.awk %D%/scaling/boulders.yaml %D%/scaling/figures.awk %D%/scaling/hybrid.gp \
-	%D%/scaling/job.slurm %D%/scaling/lines.awk %D%/scaling/model.awk %D%/scaling/model.gp \
-	%D%/scaling/ranks.gp %D%/scaling/scene.yaml %D%/scaling/speed.gp %D%/scaling/tables.awk \
-	%D%/scour/README.md %D%/scour/onset.yaml %D%/scour/picture.gp %D%/scour/scene.yaml \
-	%D%/scour/stream.txt %D%/settling/README.md %D%/settling/liquids.txt %D%/settling/picture.gp \
-	%D%/settling/scene.yaml %D%/shear_cell/README.md %D%/shear_cell/scene.yaml %D%/solver/README.md \
-	%D%/solver/bed.yaml %D%/solver/collapse.yaml %D%/sphere_array/README.md %D%/sphere_array/scene.yaml \
+	%D%/rocks/drum.yaml %D%/rocks/hopper.yaml %D%/scaling/README.md %D%/scaling/boulders.awk \
+	%D%/scaling/boulders.yaml %D%/scaling/figures.awk %D%/scaling/hybrid.gp %D%/scaling/job.slurm \
+	%D%/scaling/lines.awk %D%/scaling/model.awk %D%/scaling/model.gp %D%/scaling/ranks.gp \
+	%D%/scaling/scene.yaml %D%/scaling/speed.gp %D%/scaling/tables.awk %D%/scour/README.md \
+	%D%/scour/onset.yaml %D%/scour/picture.gp %D%/scour/scene.yaml %D%/scour/stream.txt \
+	%D%/settling/README.md %D%/settling/liquids.txt %D%/settling/picture.gp %D%/settling/scene.yaml \
+	%D%/shear_cell/README.md %D%/shear_cell/scene.yaml %D%/solver/README.md %D%/solver/bed.yaml \
+	%D%/solver/collapse.yaml %D%/sphere_array/README.md %D%/sphere_array/scene.yaml \
 	%D%/taylor_green/README.md %D%/taylor_green/scene.yaml %D%/tumbling/README.md %D%/tumbling/picture.gp \
 	%D%/tumbling/scene.yaml %D%/two_sizes/README.md %D%/two_sizes/picture.gp %D%/two_sizes/scene.yaml \
 	%D%/water_bed/README.md %D%/water_bed/picture.gp %D%/water_bed/scene.yaml %D%/wet_pile/README.md \

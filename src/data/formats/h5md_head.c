@@ -3,6 +3,7 @@
 #include "data/formats/h5md_head.h"
 
 #include "base/version.h"
+#include "data/formats/output_shapes.h"
 #include "base/file.h"
 
 #include <inttypes.h>
@@ -108,44 +109,12 @@ bool h5md_write_runs(const struct h5md *h5md, const struct h5 *h5, struct error 
     return h5_link(h5, scene, last, error);
 }
 
-/* Writes a table of the first rank. */
-static bool write_array(const struct h5md *h5md, const struct h5 *h5, const char *group, const char *name,
-                        enum field_type type, int rows, int width, const void *data, struct error *error) {
-    char dataset[FILE_PATH_MAX];
-    const struct h5_table table = {.type = type,
-                                   .rows = (uint64_t)rows,
-                                   .width = (uint64_t)width,
-                                   .count = h5md->comm->rank == 0 ? (uint64_t)rows : 0};
-    snprintf(dataset, sizeof dataset, "%s/%s", group, name);
-    return h5_write_table(h5, dataset, &table, data, error);
-}
-
-/* Writes /parameters/shapes/NUMBER: corners, and the polygons between them. */
-static bool write_shapes(const struct h5md *h5md, const struct h5 *h5, struct error *error) {
-    const struct output_shapes *shapes = h5md->shapes;
-    for (int k = 0; shapes && k < shapes->count; k++) {
-        const struct output_shape *shape = &shapes->shape[k];
-        char group[OUTPUT_NAME_MAX];
-        snprintf(group, sizeof group, "/parameters/shapes/%d", shape->number);
-        if (!h5_make_group(h5, group, error) || !h5_write_text(h5, group, "name", shape->name, error) ||
-            !h5_write_doubles(h5, group, "radius", &shape->radius, 0, error) ||
-            !h5_write_doubles(h5, group, "rounding", &shape->rounding, 0, error) ||
-            !write_array(h5md, h5, group, "corners", FIELD_DOUBLE, shape->corners, 3, shape->corner, error) ||
-            !write_array(h5md, h5, group, "polygon_start", FIELD_INT32, shape->polygons + 1, 0, shape->start,
-                         error) ||
-            !write_array(h5md, h5, group, "polygon_corners", FIELD_INT32, shape->start[shape->polygons], 0,
-                         shape->ring, error))
-            return false;
-    }
-    return true;
-}
-
 static bool write_parameters(const struct h5md *h5md, const struct h5 *h5, struct error *error) {
     struct h5_table table = {.type = FIELD_INT64, .rows = 1, .count = h5md->comm->rank == 0};
     int64_t seed = (int64_t)h5md->seed;
     if (!h5_make_group(h5, "/parameters", error) || !h5_make_group(h5, "/observables", error))
         return false;
-    return h5md_write_runs(h5md, h5, error) && write_shapes(h5md, h5, error) &&
+    return h5md_write_runs(h5md, h5, error) && output_shapes_write(h5md, h5, error) &&
            h5_write_table(h5, "/parameters/seed", &table, &seed, error);
 }
 

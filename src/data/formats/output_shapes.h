@@ -32,4 +32,10 @@ void output_shapes_free(struct output_shapes *shapes);
 /* Bytes that they need in a file, at most. */
 uint64_t output_shapes_bytes(const struct output_shapes *shapes);
 
+struct h5md;
+struct h5;
+
+/* Writes /parameters/shapes/NUMBER: corners, and the polygons between them. Collective. */
+bool output_shapes_write(const struct h5md *h5md, const struct h5 *h5, struct error *error);
+
 #endif
