@@ -49,7 +49,7 @@ EXTRA_DIST += \
 	%D%/images/verify-stack.svg %D%/images/verify-sticking-velocity.svg %D%/images/verify-tumbling-clump.svg \
 	%D%/images/verify-turning-wall.svg %D%/images/verify-vyas.svg %D%/images/verify-wall-edge.svg \
 	%D%/images/verify-water-bed.svg %D%/images/verify-water-consolidation.svg \
-	%D%/images/verify-water-hindered.svg %D%/images/verify-water-settling.svg \
+	%D%/images/verify-water-hindered.svg %D%/images/verify-water-lubrication.svg %D%/images/verify-water-settling.svg \
 	%D%/images/verify-water-two-spheres.svg %D%/images/view.png %D%/images/water-bed.png %D%/images/wet-pile.png \
 	%D%/index.md %D%/indexes.md %D%/layouts.md %D%/library.md %D%/packing.md %D%/performance-index.md \
 	%D%/performance-journal.md %D%/performance.md %D%/physics.md %D%/pictures.md %D%/pores.md %D%/python.md \
