@@ -55,12 +55,12 @@ EXTRA_DIST += \
 	%D%/images/verify-sticking-velocity.svg %D%/images/verify-tumbling-clump.svg \
 	%D%/images/verify-turning-wall.svg %D%/images/verify-vyas.svg %D%/images/verify-wall-edge.svg \
 	%D%/images/verify-water-bed.svg %D%/images/verify-water-consolidation.svg \
-	%D%/images/verify-water-hindered.svg %D%/images/verify-water-settling.svg \
-	%D%/images/verify-water-two-spheres.svg %D%/images/view.png %D%/images/water-bed.png \
-	%D%/images/wet-pile.png %D%/index.md %D%/indexes.md %D%/layouts.md %D%/library.md %D%/packing.md \
-	%D%/performance-index.md %D%/performance-journal.md %D%/performance.md %D%/physics.md %D%/pictures.md \
-	%D%/pores.md %D%/python.md %D%/reports.md %D%/results/performance %D%/results/pores \
-	%D%/results/scaling/ghosts/lines.jsonl %D%/results/scaling/ghosts/section.md \
+	%D%/images/verify-water-hindered.svg %D%/images/verify-water-lubrication.svg \
+	%D%/images/verify-water-settling.svg %D%/images/verify-water-two-spheres.svg %D%/images/view.png \
+	%D%/images/water-bed.png %D%/images/wet-pile.png %D%/index.md %D%/indexes.md %D%/layouts.md \
+	%D%/library.md %D%/packing.md %D%/performance-index.md %D%/performance-journal.md %D%/performance.md \
+	%D%/physics.md %D%/pictures.md %D%/pores.md %D%/python.md %D%/reports.md %D%/results/performance \
+	%D%/results/pores %D%/results/scaling/ghosts/lines.jsonl %D%/results/scaling/ghosts/section.md \
 	%D%/results/scaling/hybrid.jsonl %D%/results/scaling/lengths.jsonl \
 	%D%/results/scaling/pupcs/lines.jsonl %D%/results/scaling/pupcs/section.md \
 	%D%/results/scaling/pupcs/sizes.jsonl %D%/results/scaling/pupcs/sizes.md \
