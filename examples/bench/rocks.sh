@@ -5,7 +5,7 @@
 # Bodies of one volume fly about in a periodic box (rocks.yaml): spheres; clumps of eight spheres; cubes; rocks of 16 corners. Full size are 97,336
 # bodies, --quick takes 1,000. A line of JSON a setting: particles, pairs in the list and contacts at the end, and medians of REPEAT (3) runs, which take turns: seconds, ns a
 # particle and step, and ns a pair and step of the stages of contacts alone. With valgrind, the instructions of a step for each pair, which other load on the
-# machine does not change: runs of 1,000 bodies of WARM (200) steps and of COUNT (20) more are compared. Then the rocks again on each index but brute: all of them find the same pairs. The last line
+# machine does not change: runs of 1,000 bodies of WARM (200) steps and of COUNT (20; 0: none are counted) more are compared. Then the rocks again on each index but brute: all of them find the same pairs. The last line
 # has the ratios to spheres.
 
 here=$(cd "$(dirname "$0")" && pwd)
@@ -15,7 +15,7 @@ export OMP_WAIT_POLICY=passive LC_ALL=C
 threads=${OMP_NUM_THREADS:-$cores}
 repeat=${REPEAT:-$(by_mode 1 3)}
 steps=${STEPS:-$(by_mode 200 400)}
-edge=$(by_mode 10 46)
+edge=${EDGE:-$(by_mode 10 46)}
 warm=${WARM:-$(by_mode 50 200)}
 count=${COUNT:-$(by_mode 5 20)}
 out=$work/rocks
@@ -31,7 +31,7 @@ flags_of() { # NAME
     clumps)
         spheres=
         for x in -$r $r; do for y in -$r $r; do for z in -$r $r; do spheres="$spheres{centre: [$x, $y, $z], radius: $r}, "; done; done; done
-        flags=(--set "bodies={clumps: [{size: drawn, spheres: [${spheres%, }]}]}")
+        flags=(--set "bodies={clumps: [{size: drawn, orientation: given, quaternion: [1, 0, 0, 0], spheres: [${spheres%, }]}]}")
         ;;
     cubes)
         corners=
@@ -84,7 +84,7 @@ declare -A price instructions
 for name in "${names[@]}"; do
     told "$name" "$name" auto
     price[$name]=$per_pair
-    if command -v valgrind >/dev/null; then
+    if [ "$count" -gt 0 ] && command -v valgrind >/dev/null; then
         flags_of "$name"
         sized 10
         threads_kept=$threads

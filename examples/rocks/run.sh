@@ -1,7 +1,7 @@
 #!/bin/sh
 # SPDX-License-Identifier: BSD-3-Clause
-# Rocks in a drum, in a hopper and in a heap: run.sh [--quick] [-o DIR] [NAME...], NAME one of drum, hopper, heap. Draws DIR/NAME.png; of the heap
-# also writes DIR/angles.tsv, a row for each roundness: roundness, angle in degrees, rocks that stayed; the last row is of spheres.
+# Rocks in a drum and in a hopper: run.sh [--quick] [-o DIR] [NAME...], NAME one of drum, hopper, angles. Draws DIR/drum.png and DIR/hopper.png; writes
+# DIR/angles.tsv, the slope of cubes in the drum, a row for each roundness: roundness, angle in degrees; the last row is of spheres.
 # --quick: seconds instead of minutes, as the tests do; it draws nothing. Further settings by SCREE_ARGS, ranks by SCREE_RANKS.
 set -e
 here=$(cd "$(dirname "$0")" && pwd)
@@ -17,16 +17,16 @@ while :; do
     shift
 done
 out=${out:-$(results out)}
-[ $# != 0 ] || set -- drum hopper heap
+[ $# != 0 ] || set -- drum hopper angles
 mkdir -p "$out"
 
 # run NAME SCENE [FLAG...]
 run() {
-    name=$1
+    folder=$1
     scene=$2
     shift 2
     # shellcheck disable=SC2086
-    on_ranks "${SCREE_RANKS:-1}" "$SCREE" run "$here/$scene.yaml" -o "$out/$name" --overwrite --quiet "$@" ${SCREE_ARGS:-}
+    on_ranks "${SCREE_RANKS:-1}" "$SCREE" run "$here/$scene.yaml" -o "$out/$folder" --overwrite --quiet "$@" ${SCREE_ARGS:-}
 }
 
 # draw NAME RUN [FLAG...]
@@ -37,17 +37,11 @@ draw() {
     [ $quick = yes ] || ! command -v povray >/dev/null || { "$SCREE" picture "$from" -o "$picture" --overwrite --size 480x360 "$@" && echo "drawn: $picture"; }
 }
 
-# The slope of a heap that leans on the wall at x = 0 and runs out at the edge of the floor is a triangle, whose centre has a third of its
-# length and height
-heap() { # NAME ROUNDNESS FLAG...
-    name=$1
-    roundness=$2
-    shift 2
-    run "heap-$name" heap "$@"
-    "$SCREE" info "$out/heap-$name" --column centre_x --row last >"$out/x"
-    "$SCREE" info "$out/heap-$name" --column centre_z --row last >"$out/z"
-    "$SCREE" info "$out/heap-$name" --column particles --row last | paste "$out/x" "$out/z" - |
-        awk -v name="$roundness" '{ printf "%s\t%.1f\t%d\n", name, atan2($2, $1) * 45 / atan2(1, 1), $3 }' >>"$out/angles.tsv"
+# The centre of mass lies below the middle of a flat surface: its direction is the slope. Mean over the second half.
+angle() { # NAME ROUNDNESS
+    "$SCREE" info "$out/$1" --column centre_x >"$out/x"
+    "$SCREE" info "$out/$1" --column centre_z | paste -d ' ' "$out/x" - | awk -v name="$2" '{ a[NR] = atan2($1, -$2) }
+        END { for (k = int(NR / 2) + 1; k <= NR; k++) { s += a[k]; n++ } s *= 45 / atan2(1, 1) / n; printf "%s\t%.1f\n", name, s < 0 ? -s : s }' >>"$out/angles.tsv"
 }
 
 for one; do
@@ -60,20 +54,20 @@ for one; do
     hopper)
         # shellcheck disable=SC2046
         run hopper hopper $([ $quick = no ] || echo --set stages[0].duration=0.15s --set stages[1].duration=0.2s --set particles.sources[0].count=60)
-        draw hopper hopper --colour z@0
+        draw hopper hopper --colour z@0 --frame 10
         ;;
-    heap)
+    angles)
         : >"$out/angles.tsv"
-        for roundness in 0.1 0.3 0.6 0.9; do
-            if [ $quick = no ] || [ $roundness = 0.6 ]; then
-                # shellcheck disable=SC2046
-                heap $roundness $roundness --set bodies.shapes[0].roundness=$roundness $([ $quick = no ] || echo --set duration=0.2s)
+        for roundness in 0.12 0.4 0.8; do
+            if [ $quick = no ] || [ $roundness = 0.8 ]; then
+                run drum-$roundness drum --set bodies.shapes[0].roundness=$roundness --set duration="$([ $quick = no ] && echo 1.5s || echo 0.1s)"
+                angle drum-$roundness $roundness
             fi
         done
-        [ $quick = yes ] || heap spheres spheres --set bodies='~' --set particles.sources[0].shape='""'
+        run drum-spheres drum --set bodies='~' --set particles.sources[0].shape='""' --set 'observables.list=[{name: centre}]' --set duration=1.5s
+        angle drum-spheres spheres
         cat "$out/angles.tsv"
-        draw heap heap-0.1 --colour z@0
         ;;
-    *) echo "run.sh: $one: allowed are drum, hopper and heap" >&2 && exit 2 ;;
+    *) echo "run.sh: $one: allowed are drum, hopper and angles" >&2 && exit 2 ;;
     esac
 done

@@ -47,6 +47,14 @@ positive() {
     awk -v x="$1" 'BEGIN { good = x > 0; if (!good) print "  " x; exit !good }'
 }
 
+name=rocks
+check 'pairs of rocks' run $name env STEPS=200 EDGE=5 COUNT=0 "$bench/rocks.sh" --quick
+alike() { # all indexes find the same pairs of rocks
+    [ "$(grep '"setting": "rocks"' $name.jsonl | sed 's/.*"pairs": \([0-9]*\).*/\1/' | sort -u | wc -l)" = 1 ] && [ "$(grep -c '"rebuild_seconds"' $name.jsonl)" -ge 3 ]
+}
+check 'the same pairs of rocks on each index' alike
+check 'the ratio of rocks to spheres' positive "$(value rocks_over_spheres)"
+
 name=continuous-dunkirk-10
 check 'Dunkirk sand' run $name env COUNT=3000 "$bench/continuous.sh" dunkirk 10 --quick
 best_of_two() { # the summary holds the best of the sweep

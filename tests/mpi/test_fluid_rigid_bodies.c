@@ -9,7 +9,7 @@
 #include "team.h"
 #include "physics/bodies/bodies_links.h"
 #include "physics/bodies/bodies_parts.h"
-#include "physics/bodies/rotor.h"
+#include "base/rotor.h"
 #include "physics/fluid/coupling/rigid_bodies.h"
 #include "physics/fluid/coupling/rigid_grains.h"
 #include "tests/near.h"

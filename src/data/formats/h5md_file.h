@@ -7,8 +7,9 @@
 
 #include "data/formats/h5.h"
 #include "data/formats/lineage.h"
-#include "data/formats/output_shapes.h"
 #include "data/formats/xdmf.h"
+
+struct output_shapes; /* output_shapes.h */
 
 /* An element of /particles/all in the file. */
 struct h5md_element {

@@ -3,6 +3,7 @@
 #include "data/formats/h5md_head.h"
 
 #include "base/version.h"
+#include "data/formats/output_shapes.h"
 #include "base/file.h"
 
 #include <inttypes.h>
@@ -113,7 +114,7 @@ static bool write_parameters(const struct h5md *h5md, const struct h5 *h5, struc
     int64_t seed = (int64_t)h5md->seed;
     if (!h5_make_group(h5, "/parameters", error) || !h5_make_group(h5, "/observables", error))
         return false;
-    return h5md_write_runs(h5md, h5, error) && h5md_write_shapes(h5md, h5, error) &&
+    return h5md_write_runs(h5md, h5, error) && output_shapes_write(h5md, h5, error) &&
            h5_write_table(h5, "/parameters/seed", &table, &seed, error);
 }
 

@@ -47,7 +47,7 @@ static bool write_array(const struct h5md *h5md, const struct h5 *h5, const char
     return h5_write_table(h5, dataset, &table, data, error);
 }
 
-bool h5md_write_shapes(const struct h5md *h5md, const struct h5 *h5, struct error *error) {
+bool output_shapes_write(const struct h5md *h5md, const struct h5 *h5, struct error *error) {
     const struct output_shapes *shapes = h5md->shapes;
     for (int k = 0; shapes && k < shapes->count; k++) {
         const struct output_shape *shape = &shapes->shape[k];

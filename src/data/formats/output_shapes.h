@@ -36,6 +36,6 @@ struct h5md;
 struct h5;
 
 /* Writes /parameters/shapes/NUMBER: corners, and the polygons between them. Collective. */
-bool h5md_write_shapes(const struct h5md *h5md, const struct h5 *h5, struct error *error);
+bool output_shapes_write(const struct h5md *h5md, const struct h5 *h5, struct error *error);
 
 #endif

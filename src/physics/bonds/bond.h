@@ -30,14 +30,26 @@ enum { BOND_REST, BOND_SHEAR, BOND_MOMENT = 4, BOND_ENTRY = 7, BOND_COMPONENTS }
 /* The ways in which a bond ends. LOST: one of its particles was deleted. */
 enum bond_end { BOND_WHOLE, BOND_TENSION, BOND_SHEARED, BOND_LOST, BOND_ENDS };
 
-/* The numbers of a bond that do not change. */
+/* The numbers of a bond that do not change:
+ *
+ *   radius, area
+ *   stretch, slide                        k_n A, k_s A: force/length
+ *   bend, twist                           k_n I, k_s J: torque/rad
+ *   tensile, shear                        strengths, Pa; INFINITY: never breaks in this way
+ *   c_stretch, c_slide, c_bend, c_twist   dampers: 2 beta sqrt(m* K), and of moments with I*
+ *   bend_over, twist_over                 R / I, R / J */
+#define BOND_SECTION_TABLE(ROW)                                                                              \
+    ROW(radius)                                                                                              \
+    ROW(area)                                                                                                \
+    ROW(stretch)                                                                                             \
+    ROW(slide)                                                                                               \
+    ROW(bend)                                                                                                \
+    ROW(twist)                                                                                               \
+    ROW(tensile)                                                                                             \
+    ROW(shear) ROW(c_stretch) ROW(c_slide) ROW(c_bend) ROW(c_twist) ROW(bend_over) ROW(twist_over)
+#define BOND_SECTION_MEMBER(member) double member;
 struct bond_section {
-    double radius, area;
-    double stretch, slide;                      /* k_n A, k_s A: force/length */
-    double bend, twist;                         /* k_n I, k_s J: torque/rad */
-    double tensile, shear;                      /* strengths, Pa; INFINITY: never breaks in this way */
-    double c_stretch, c_slide, c_bend, c_twist; /* dampers: 2 beta sqrt(m* K), and of moments with I* */
-    double bend_over, twist_over;               /* R / I, R / J */
+    BOND_SECTION_TABLE(BOND_SECTION_MEMBER)
 };
 
 /* What makes a section. */
@@ -50,13 +62,12 @@ struct bond_numbers {
 };
 struct bond_section bond_section_of(const struct bond_numbers *numbers);
 
-/* The two spheres, lower id first, and the step. */
+/* The two spheres, lower id first. */
 struct bond_motion {
     struct law_vector separation; /* x_higher - x_lower now */
     struct law_vector velocity;   /* v_higher - v_lower, of the last half step */
     struct law_vector spin[2];    /* angular velocities */
     double lever[2];              /* distance from the centres to the middle of the bond now */
-    double dt;                    /* 0: first evaluation, only the normal force is new */
 };
 
 struct bond_response {
@@ -68,11 +79,42 @@ struct bond_response {
     enum bond_end end;
 };
 
-/* Advances force and moment in the row by a step, and answers. A bond that breaks in this step has end !=
- * BOND_WHOLE; its force counts no more, and `stored` is the energy that it loses: that of half a step before, up to
- * which its force has acted. Any thread. */
-void bond_advance(const struct bond_section *section, const struct bond_motion *motion,
-                  struct history_row *row, struct bond_response *out);
+/* Bonds that advance together, in one loop over vectors: entry k of each column belongs to bond k. The columns of `section` and
+ * `motion` are the members of the structs, those of `before` and `value` what the row holds, those of `out` the response's. */
+enum {
+    BOND_BATCH = 64,
+    BOND_SECTIONS = sizeof(struct bond_section) / sizeof(double),
+    BOND_MOTIONS = sizeof(struct bond_motion) / sizeof(double)
+};
+enum {
+    BOND_OUT_FORCE,
+    BOND_OUT_MOMENT = 3,
+    BOND_OUT_NORMAL = 6,
+    BOND_OUT_STORED = 9,
+    BOND_OUT_TAKEN,
+    BOND_OUT_TENSILE,
+    BOND_OUT_SHEAR,
+    BOND_OUT_END,
+    BOND_OUTS
+};
+struct bond_batch {
+    int count;
+    double section[BOND_SECTIONS][BOND_BATCH], motion[BOND_MOTIONS][BOND_BATCH];
+    double before[3][BOND_BATCH], value[BOND_ENTRY][BOND_BATCH], out[BOND_OUTS][BOND_BATCH];
+};
+
+/* Puts a bond behind the others of a batch that is not full. Any thread, with its own batch. */
+void bond_batch_add(struct bond_batch *batch, const struct bond_section *section,
+                    const struct bond_motion *motion, const struct history_row *row);
+
+/* Advances force and moment of all bonds by a step dt; 0: a first evaluation, only the normal force is new. A bond that breaks in
+ * this step has end != BOND_WHOLE; its force counts no more, and `stored` is the energy that it loses: that of half a step before,
+ * up to which its force has acted. */
+void bond_batch_advance(struct bond_batch *batch, double dt);
+
+/* Writes bond k to its row, and gives its response. */
+void bond_batch_take(const struct bond_batch *batch, int k, struct history_row *row,
+                     struct bond_response *out);
 
 /* Elastic energy of a row as it stands. */
 double bond_energy(const struct bond_section *section, const struct history_row *row);

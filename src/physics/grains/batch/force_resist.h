@@ -213,8 +213,8 @@ LAW_INLINE void force_twist_all(struct law_case law_is, enum law_twisting kind, 
 
 #define FORCE_SLIDES(ROW)                                                                                    \
     ROW(NONE, none)                                                                                          \
-    ROW(HISTORY, history) ROW(RESCALE, rescale) ROW(FORCE, force) ROW(RESCALE_FORCE, rescale_force)          \
-        ROW(VISCOUS, viscous)
+    ROW(HISTORY, history)                                                                                    \
+    ROW(RESCALE, rescale) ROW(FORCE, force) ROW(RESCALE_FORCE, rescale_force) ROW(VISCOUS, viscous)
 #define FORCE_SLIDE_LOOPS(NAME, name) FORCE_RESIST_LOOPS(slide, LAW_TANGENTIAL_##NAME, force_slide_##name)
 #define FORCE_ROLL_LOOPS(NAME, name, with, summary)                                                          \
     FORCE_RESIST_LOOPS(roll, LAW_ROLLING_##NAME, force_roll_##name)

@@ -2,7 +2,7 @@
 /* Resistance of a law with parts to sliding, rolling and twisting (law_parts.h). Formulas and sources in
  * docs/physics.md. Any thread.
  *
- * The inline functions are arithmetic without branches: loops over contacts call them (batch/force_resist.h), and law_resist does
+ * The inline functions are arithmetic without branches: loops over contacts call them (physics/grains/batch/force_resist.h), and law_resist does
  * for one contact after another, with the same bits. Each adds the work that it takes, and what its spring stores, to `out`. */
 #ifndef SCREE_LAWS_LAW_RESIST_H
 #define SCREE_LAWS_LAW_RESIST_H

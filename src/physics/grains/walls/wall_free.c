@@ -256,7 +256,7 @@ double wall_free_yield_most(const struct wall_free *free) {
 }
 
 double wall_free_yield_spread(const struct wall_free *free) {
-    return free->options.freedom == WALL_FREE_ABOUT ? wall_free_yield_most(free) : 1.0 / free->mass;
+    return free->options.freedom == WALL_FREE_ABOUT ? wall_free_yield_most(free) / 3.0 : 1.0 / free->mass;
 }
 
 void wall_free_describe(const struct wall_free *free, char *text, size_t room) {

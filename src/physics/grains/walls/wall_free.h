@@ -91,7 +91,7 @@ void wall_free_find_full(struct wall_free *free, const struct wall_push *push, c
 double wall_free_yield(const struct wall_free *free, struct law_vector at, struct law_vector along);
 
 /* A bound on that of all directions at a place; of all places and directions; against pushes that are spread over the wall, over
- * their number: of a wall that turns about an axis as if all were at its far end; and on the inverse of the inertia against turning, 0 of walls that do not
+ * their number: of a wall that turns about an axis as if it were a blade from the axis to the far end; and on the inverse of the inertia against turning, 0 of walls that do not
  * turn. */
 double wall_free_yield_worst(const struct wall_free *free, struct law_vector at);
 double wall_free_yield_most(const struct wall_free *free);

@@ -5,6 +5,7 @@
 #include "physics/grains/walls/walls_touch.h"
 #include "kernel/particles/spin.h"
 #include "base/memory.h"
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -106,8 +107,15 @@ bool walls_at_rest(const struct particles *particles, size_t i) {
     return omega == NULL || is_zero(omega[i]);
 }
 
-/* `face` of the first of the pieces of a wall near x (walls_parts.h); nothing moves farther than `margin` until the next
- * rebuild. */
+/* How far a particle may go in the frame of a wall until the next rebuild. No point of the wall moves farther than `margin`, but a
+ * centre farther out than any of them does where the wall turns. */
+static double drift_of(const struct wall *wall, struct law_vector here, double margin) {
+    struct law_vector arm = law_add(here, -1.0, wall->mesh->centre);
+    double far = (sqrt(law_dot(arm, arm)) + margin) / wall->mesh->radius;
+    return wall->moving ? margin * law_max(1.0, far) : margin;
+}
+
+/* `face` of the first of the pieces of a wall near x (walls_parts.h). */
 static uint8_t face_of(const struct walls *walls, const struct wall_piece *piece, size_t pieces,
                        struct law_vector x, double margin) {
     const struct wall *wall = &walls->wall[piece->wall];
@@ -115,12 +123,13 @@ static uint8_t face_of(const struct walls *walls, const struct wall_piece *piece
         return 0;
     struct law_vector here =
         walls_into_body(wall, law_add(x, -1.0, walls_shift(walls, piece->wall, piece->image)));
+    double drift = drift_of(wall, here, margin);
     uint8_t face = 0;
     for (size_t k = 0; k < pieces; k++) {
         if (piece[k].image != piece->image ||
             wall->mesh->triangle[piece[k].triangle].patch != wall->mesh->triangle[piece->triangle].patch)
             return 0;
-        if (k < UINT8_MAX && wall_touch_inside(wall->mesh, piece[k].triangle, here) > margin)
+        if (k < UINT8_MAX && wall_touch_inside(wall->mesh, piece[k].triangle, here) > drift)
             face = (uint8_t)(k + 1);
     }
     return face;
@@ -139,9 +148,8 @@ static size_t near_particle(const struct walls *walls, const struct particles *p
         struct wall_piece *place = out ? out + count : NULL;
         if (fixed && !wall_moves(&walls->wall[w].options))
             continue;
-        size_t found = walls->wall[w].field
-                           ? near_field(walls, w, x, state->radius + margin, place)
-                           : walls_near(walls, w, x, state->radius + margin, place, number);
+        size_t found = walls->wall[w].field ? near_field(walls, w, x, state->radius + margin, place)
+                                            : walls_near(walls, w, x, state->radius + margin, place, number);
         if (place && found > 0)
             place->face = face_of(walls, place, found, x, margin);
         count += found;

@@ -380,6 +380,38 @@ static void test_faces(void **state) {
     world_close(&b);
 }
 
+/* The force along x on a large ball above a small plate that turns below it, after a step; the plate moves less than the margin,
+ * and the foot of the ball leaves it. */
+static double turned_plate(const char *file, double margin) {
+    struct world w;
+    struct wall_options wall = hand_mesh(file);
+    wall.motions = 1;
+    wall.motion[0] = (struct wall_motion){
+        .kind = WALL_ROTATE, .stop = INFINITY, .point = {4, 4, 4}, .direction = {0, 1, 0}, .rate = -1300.0};
+    world_open(&w, hand_box(8.0), hand_law(LAW_HOOKE, 1.0, 0.0), &wall, 1, 1);
+    world_add(&w, 4.207, 3.793, 6.9, 3.0, 1.0);
+    world_rebuild(&w, NULL);
+    w.classes.margin[0][w.classes.count] = margin;
+    walls_build(w.walls, w.particles, &w.classes);
+    world_step(&w, false, NULL);
+    assert_true(walls_displacement(w.walls) < 0.1 && w.sums.contacts > 0);
+    double force = world_force(&w, 0)[0];
+    world_close(&w);
+    return force;
+}
+
+static void test_face_of_turned_plate(void **state) {
+    (void)state;
+    char file[64];
+    struct hand_text t = text_new();
+    text_plate(&t, (double[3]){3.5, 3.5, 4}, (double[3]){1, 0, 0}, (double[3]){0, 1, 0}, 1, 1, 0.0);
+    text_file(&t, file, "turned");
+    double near = turned_plate(file, 0.1), far = turned_plate(file, 8.0);
+    remove(file);
+    assert_true(near == far);
+}
+
 TEST_MAIN(wall_history, cmocka_unit_test(test_sums), cmocka_unit_test(test_threads),
           cmocka_unit_test(test_reorder), cmocka_unit_test(test_rows), cmocka_unit_test(test_one_of_two_ends),
-          cmocka_unit_test(test_energy), cmocka_unit_test(test_resume), cmocka_unit_test(test_faces))
+          cmocka_unit_test(test_energy), cmocka_unit_test(test_resume), cmocka_unit_test(test_faces),
+          cmocka_unit_test(test_face_of_turned_plate))
