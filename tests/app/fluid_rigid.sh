@@ -190,6 +190,10 @@ check "the same on 2 ranks, to the tolerance" ranks 2 2e-3 "${near[@]}"
 check "a resume gives the same bits" eval 'rm -rf other; run_scene 1 drop.yaml other --set threads=1 "${near[@]}" --resume one/checkpoint-800.h5 &&
     cmp <(tail -n 1 one/observables.csv) <(tail -n 1 other/observables.csv)'
 check "lubrication and mirrors are refused" refused 'fluid.grains.lubrication: .*needs coupling: rigid' --set fluid.grains='{motion: free, lubrication: 0.02}' --set fluid.motion=lagrangian
+check "a roughness above the gaps that have lubrication is refused" refused 'fluid.grains.lubrication: .*less than 2 spacings, 2' --set fluid.grains.lubrication=2
+notes() { "$scree" check --all drop.yaml "$@" >said 2>&1 && grep -c 'gaps  *NOTE\|too coarse' said; }
+told() { [ "$(notes)" = 2 ] && [ "$(notes "${near[@]}")" = 0 ] && grep -q 'gaps  *1 between grains and 1 between' said || { cat said; return 1; }; }
+check "narrow gaps are too coarse without lubrication alone" told
 check "lubrication by a solver of contacts" lands bare/observables.csv "${solved[@]}" "${near[@]}"
 
 # Grains that are smaller to the fluid: the filled area is theirs

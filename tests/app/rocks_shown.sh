@@ -130,6 +130,10 @@ lacking() {
     run_scene 1 mixed.yaml lacking --set output.trajectory.fields='[position, radius]' && refuses 'with the fields rock_shape and rock_orientation' convert lacking/trajectory.h5 x.vtp
 }
 check 'refused: a trajectory without orientations' lacking
+sceneless() { # a dump does not hold its scene
+    run_scene 1 mixed.yaml dumped --set output.dump.fields='[id, position, radius]' && refuses 'dump.lammpstrj: has no scene' convert dumped/dump.lammpstrj x.vtp && [ ! -f x.vtp ]
+}
+check 'refused: a file without the scene' sceneless
 
 # Pictures: the same rocks from a checkpoint as from a trajectory, and members instead of bodies
 pictures() {

@@ -3,6 +3,7 @@
 #include "front/picture/paint.h"
 #include "base/memory.h"
 #include "base/rotor.h"
+#include "physics/bodies/bodies_shapes.h"
 #include "physics_table.h"
 #include <math.h>
 
@@ -24,9 +25,7 @@ static bool has_rocks(const struct scene *scene) {
 static bool shapes_take(struct facets *facets, const struct scene *scene, struct error *error) {
     const struct bodies_options *options = (const void *)scene->physics[PHYSICS_bodies];
     bool good = true;
-    facets->shapes = options->clumps;
-    for (int k = 0; k < options->rocks; k++)
-        facets->shapes += bodies_variants(&options->rock[k]);
+    facets->shapes = bodies_shapes_count(options);
     facets->shape = memory_allocate_zero((size_t)facets->shapes, sizeof *facets->shape, "shapes of rocks");
     int number = options->clumps;
     for (int k = 0; good && k < options->rocks; k++)

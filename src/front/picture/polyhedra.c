@@ -137,10 +137,10 @@ static bool rows_write(const struct source *source, int64_t frame, const struct 
     if (!facets_make(&facets, source, frame, rows, error))
         return false;
     if (facets.shapes == 0)
-        return error_set(
-            error, ERROR_USER,
-            "%s: the scene of this run has no rocks (bodies.shapes); .vtp and .pvd hold the faces of rocks",
-            source->path);
+        return error_set(error, ERROR_USER, "%s: %s; .vtp and .pvd hold the faces of rocks", source->path,
+                         source->scene ? "the scene of this run has no rocks (bodies.shapes)"
+                                       : "has no scene, which alone tells the shapes of rocks: use a "
+                                         "trajectory or a checkpoint");
     faces_make(&faces, &facets, rows);
     bool good = faces_write(path, &faces, &facets, rows, error);
     faces_free(&faces);

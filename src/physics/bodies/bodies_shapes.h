@@ -19,7 +19,7 @@ const char *bodies_shapes_key(const struct bodies_options *options, int k, const
 /* Adds the polygons of rocks to the shapes for files. */
 void bodies_shapes_show(const struct bodies *bodies, struct output_shapes *shapes);
 
-/* Their number. */
+/* The number of shapes. */
 int bodies_shapes_count(const struct bodies_options *options);
 
 /* Radius of the sphere that has the volume of a shape in the size of its entry. */

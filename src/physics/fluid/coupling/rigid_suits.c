@@ -2,6 +2,7 @@
 /* What does not go with rigid grains. Read rigid_suits.h first. */
 #include "physics/fluid/coupling/rigid_suits.h"
 #include "physics/bodies/bodies.h"
+#include "physics/fluid/coupling/lubrication.h"
 #include "physics/fluid/coupling/unresolved_grains.h"
 #include "physics/fluid/fluid.h"
 #include <math.h>
@@ -11,6 +12,21 @@ static bool refuse(const struct physics_context *context, const char *key, const
                    const char *allowed, struct error *error) {
     return scene_fail(context->scene, error, key,
                       "%s does not go with fluid.grains.coupling: rigid; allowed with it: %s", why, allowed);
+}
+
+/* Lubrication acts down to a roughness below the gaps where it begins. */
+static bool lubrication_suits(const struct physics_context *context, struct error *error) {
+    const struct fluid_options *options = context->options;
+    const double reach = LUBRICATION_REACH * options->spacing;
+    if (isnan(options->grains.lubrication))
+        return true;
+    if (options->grains.hydraulic < 1)
+        return refuse(context, "fluid.grains.lubrication", "lubrication beside hydraulic < 1",
+                      "one of the two", error);
+    return options->grains.lubrication < reach ||
+           scene_fail(context->scene, error, "fluid.grains.lubrication",
+                      "with a roughness of %g no gap has lubrication; allowed: less than %g spacings, %g",
+                      options->grains.lubrication, LUBRICATION_REACH, reach);
 }
 
 /* The fluid in a body has the surface, the centre and the moments of its shape. */
@@ -50,9 +66,8 @@ bool rigid_suits(const struct physics_context *context, struct error *error) {
                           "a radius of its own needs coupling: rigid (fluid.grains); allowed with others: 1");
     if (!fluid_rigid(options))
         return true;
-    if (options->grains.hydraulic < 1 && !isnan(options->grains.lubrication))
-        return refuse(context, "fluid.grains.lubrication", "lubrication beside hydraulic < 1",
-                      "one of the two", error);
+    if (!lubrication_suits(context, error))
+        return false;
     if (options->time != FLUID_TRANSIENT)
         return refuse(context, "fluid.time", "a steady flow", "transient", error);
     if (options->motion.name != FLUID_FIXED)

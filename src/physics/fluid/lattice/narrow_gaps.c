@@ -75,10 +75,15 @@ static const char *between(const struct gaps *gaps, const struct physics_context
     return text;
 }
 
+/* True if gaps are too narrow, and no lubrication acts in them. */
+static bool is_told(const struct gaps *gaps, const struct fluid_options *options) {
+    return gaps->grains + gaps->walls > 0 && isnan(options->grains.lubrication);
+}
+
 void narrow_gaps_note(const struct gaps *gaps, const struct physics_context *context) {
     const struct fluid_options *options = context->options;
     char place[512], bodies[128];
-    if (gaps->grains + gaps->walls == 0)
+    if (!is_told(gaps, options))
         return;
     log_tell(context->log,
              "note: %s: fluid.spacing: is too coarse for %lld gaps between grains and %lld between grains "
@@ -97,6 +102,6 @@ void narrow_gaps_print(const struct gaps *gaps, const struct physics_context *co
         file,
         "  gaps         %s%lld between grains and %lld between grains and walls are below %g spacings; the "
         "narrowest, between %s, is %.3g spacings\n",
-        gaps->grains + gaps->walls > 0 ? "NOTE: " : "", (long long)gaps->grains, (long long)gaps->walls,
-        GAPS_NARROW, between(gaps, context, bodies, sizeof bodies), gaps->narrowest / options->spacing);
+        is_told(gaps, options) ? "NOTE: " : "", (long long)gaps->grains, (long long)gaps->walls, GAPS_NARROW,
+        between(gaps, context, bodies, sizeof bodies), gaps->narrowest / options->spacing);
 }

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* Gaps between grains, and between grains and walls, that the spacing of a fluid does not resolve. A contact is a gap.
- * In a packing grains touch: such gaps are told, and a run goes on. */
+ * In a packing grains touch: such gaps are told, and a run goes on. They are not told where lubrication acts in them (lubrication.h). */
 #ifndef SCREE_LATTICE_NARROW_GAPS_H
 #define SCREE_LATTICE_NARROW_GAPS_H
 
