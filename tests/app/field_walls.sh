@@ -74,6 +74,15 @@ check 'a free cube with a field' sinks
 tells() { "$scree" check drum.yaml >told && grep -q 'field of spacing 0.02, .* MiB, error up to' told && grep -o 'field of spacing.*' told; }
 check 'check tells spacing, memory and error' tells
 
+# Large grains feel a small mesh from far: more than 5 GB of nodes
+large() (
+    ulimit -v 3000000
+    "$scree" check drum.yaml >/dev/null 2>&1 || { echo '  this program cannot run with little memory'; return 0; }
+    "$scree" check tray.yaml "$@" >/dev/null 2>said
+    grep -q "wall 'tray': its field needs .* MiB, more than there are.*a larger field_spacing than" said || { cat said; return 1; }
+)
+check 'a field of more than the memory' large --set 'walls[tray].scale=0.5' --set particles.radius=0.8 --set particles.position='[2, 2, 3]'
+
 grep -v '^0 0 0 ' drum.txt >open.txt
 check 'an open mesh' scene_refused 'field|closed surface' drum.yaml --set 'walls[drum].file=open.txt'
 check 'too fine' scene_refused "field_spacing is 0.0001, must be at least" drum.yaml --set 'walls[drum].field_spacing=0.0001'

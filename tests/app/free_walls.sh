@@ -207,5 +207,6 @@ check 'an endless tube across a periodic side' scene_refused 'walls[0].free.free
     --set "$(free 'shape: cylinder, point: [2, 2, 2], axis: [0, 0, 1], radius: 1' 'mass: 1, freedom: shift')"
 check 'a density in two dimensions' scene_refused 'walls[1].free.density|allowed: mass' flat.yaml --set 'walls[lid].free={density: 1, freedom: along, direction: [0, 1]}'
 check 'a direction out of the plane' scene_refused 'walls[1].free.direction|two-dimensional' flat.yaml --set 'walls[lid].free.direction=[0, 1, 1]'
+check 'a name that a checkpoint would cut' scene_refused 'walls[0].name|longer than 55 bytes' tray.yaml --set "walls[tray].name=$(printf 'a%.0s' {1..56})" --set 'observables.list=[{name: energy_walls}]'
 check 'beside a solver of contacts' scene_refused 'walls[0].free|contact.solver' tray.yaml --set contact='{law: rigid, solver: gauss_seidel}' --set 'material_pairs=[{restitution: 0.3, friction: 0.5}]'
 finish

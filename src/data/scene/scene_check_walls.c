@@ -1,8 +1,9 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
-/* Walls that cannot be: their places in a periodic box, their motions, and free ones. */
+/* Walls that cannot be: their places in a periodic box, their motions, free ones, fields, and names. */
 #include "data/scene/scene_check.h"
 
 #include <math.h>
+#include <string.h>
 
 /* Largest rounding error of a component of a unit vector that is meant to be 0. */
 static const double rounding = 1e-12;
@@ -175,6 +176,25 @@ static bool check_all_free(const struct scene *scene, struct error *error) {
     return true;
 }
 
+/* A checkpoint keeps numbers of walls that are free, or whose surfaces move, under a word of up to eight letters and the name. */
+static bool check_names(const struct scene *scene, struct error *error) {
+    const size_t most = OUTPUT_NAME_MAX - sizeof "surface ";
+    for (int w = 0; w < scene->walls; w++) {
+        const struct wall_options *wall = &scene->wall[w];
+        bool kept = wall->free.given;
+        char key[80];
+        for (int m = 0; m < wall->motions; m++)
+            kept = kept || wall->motion[m].surface;
+        snprintf(key, sizeof(key), "walls[%d].name", w);
+        if (kept && strlen(wall->name) > most)
+            return scene_fail(scene, error, key,
+                              "longer than %zu bytes, which those of walls that are free, or whose surfaces "
+                              "move, may have",
+                              most);
+    }
+    return true;
+}
+
 static bool check_fields(const struct scene *scene, struct error *error) {
     for (int w = 0; w < scene->walls; w++) {
         const struct wall_options *wall = &scene->wall[w];
@@ -193,5 +213,5 @@ static bool check_fields(const struct scene *scene, struct error *error) {
 
 bool scene_check_walls(const struct scene *scene, struct error *error) {
     return check_periodic(scene, error) && check_motions(scene, error) && check_all_free(scene, error) &&
-           check_fields(scene, error);
+           check_names(scene, error) && check_fields(scene, error);
 }

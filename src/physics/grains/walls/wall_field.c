@@ -17,6 +17,7 @@ struct tile {
 
 struct wall_field {
     const struct wall_mesh *mesh; /* borrowed */
+    const char *name;             /* of the wall, borrowed */
     struct wall_tree *tree;
     struct law_vector *out; /* of each feature of the mesh: away from the solid, any length */
     double spacing, reach, error;
@@ -24,7 +25,7 @@ struct wall_field {
     int32_t low[3];  /* the first tile along each direction of the directory */
     int32_t across[3];
     int32_t *directory; /* numbers of tiles; -1: none */
-    size_t tiles, room;
+    size_t tiles;
     struct tile *tile;
 };
 
@@ -76,6 +77,7 @@ bool wall_field_create(struct wall_field **made, const struct wall_mesh *mesh, d
                          spacing, longest / WALL_FIELD_ACROSS);
     struct wall_field *field = *made = memory_allocate_zero(1, sizeof *field, "field of a mesh");
     *field = (struct wall_field){.mesh = mesh,
+                                 .name = name,
                                  .spacing = spacing,
                                  .reach = -1.0,
                                  .lower = {mesh->lower.x, mesh->lower.y, mesh->lower.z}};
@@ -124,8 +126,9 @@ static void tile_fill(const struct wall_field *field, struct tile *tile) {
             }
 }
 
-/* Adds the tiles of a cube of `size` tiles that are near the surface, and in the directory. */
-static void select_tiles(struct wall_field *field, const int32_t place[3], int32_t size) {
+/* Counts the tiles of a cube of `size` tiles that are near the surface, and in the directory; with `store` there is room for
+ * them. */
+static void select_tiles(struct wall_field *field, const int32_t place[3], int32_t size, bool store) {
     double half = 0.5 * size * CELLS, far = field->reach + 1.001 * sqrt(3.0) * half * field->spacing;
     struct wall_nearest near;
     for (int d = 0; d < 3; d++)
@@ -134,17 +137,15 @@ static void select_tiles(struct wall_field *field, const int32_t place[3], int32
     if (!wall_tree_nearest(field->tree, node_place(field, place, half, half, half), far, &near))
         return;
     if (size == 1) {
-        if (field->tiles == field->room) {
-            field->room = 2 * field->room + 64;
-            field->tile = memory_resize(field->tile, field->room, sizeof *field->tile, "field of a mesh");
-        }
-        memcpy(field->tile[field->tiles++].place, place, sizeof field->tile->place);
+        if (store)
+            memcpy(field->tile[field->tiles].place, place, sizeof field->tile->place);
+        field->tiles++;
         return;
     }
     for (int child = 0; child < 8; child++) {
         const int32_t at[3] = {place[0] + (child & 1 ? size / 2 : 0), place[1] + (child & 2 ? size / 2 : 0),
                                place[2] + (child & 4 ? size / 2 : 0)};
-        select_tiles(field, at, size / 2);
+        select_tiles(field, at, size / 2, store);
     }
 }
 
@@ -184,13 +185,27 @@ static double tile_error(const struct wall_field *field, const struct tile *tile
     return most;
 }
 
+/* Makes the tiles in a cube of `size` tiles, without their values. */
+static void tiles_place(struct wall_field *field, int32_t size) {
+    field->tiles = 0;
+    select_tiles(field, field->low, size, false);
+    memory_free(field->tile);
+    field->tile = NULL;
+    if (field->tiles > memory_room() / sizeof *field->tile)
+        error_fatal(
+            "wall '%s': its field needs %zu MiB, more than there are, as particles look %g far for it; "
+            "a larger field_spacing than %g needs less",
+            field->name, field->tiles * sizeof *field->tile >> 20, field->reach, field->spacing);
+    field->tile = memory_allocate(field->tiles, sizeof *field->tile, "field of a mesh");
+    field->tiles = 0;
+    select_tiles(field, field->low, size, true);
+}
+
 void wall_field_cover(struct wall_field *field, double reach) {
     if (reach <= field->reach)
         return;
     field->reach = 1.1 * reach; /* so that a reach that grows a little needs no new tiles */
-    field->tiles = 0;
-    int32_t size = directory_lay(field);
-    select_tiles(field, field->low, size);
+    tiles_place(field, directory_lay(field));
     size_t places = (size_t)field->across[0] * (size_t)field->across[1] * (size_t)field->across[2];
     field->directory = memory_resize(field->directory, places, sizeof *field->directory, "field of a mesh");
     memset(field->directory, -1, places * sizeof *field->directory);

@@ -19,14 +19,15 @@ enum { WALL_FIELD_CELLS = 8, WALL_FIELD_ACROSS = 2048, WALL_FIELD_USUAL = 128 };
 
 struct wall_field;
 
-/* Prepares the field of a mesh, which is borrowed; tiles come with wall_field_cover. `spacing` not above 0, or NAN: a
+/* Prepares the field of a mesh, which is borrowed, as the name is; tiles come with wall_field_cover. `spacing` not above 0, or NAN: a
  * WALL_FIELD_USUALth of the longest side of the box around the mesh. Fails (user) if the mesh is not closed, or the spacing
  * is below a WALL_FIELD_ACROSSth of that side. Destroy frees and nulls. */
 bool wall_field_create(struct wall_field **field, const struct wall_mesh *mesh, double spacing,
                        const char *name, struct error *error);
 void wall_field_destroy(struct wall_field **field);
 
-/* Makes the tiles of all places nearer to the surface than `reach`, and some more, if they are not there. Opens its own team. */
+/* Makes the tiles of all places nearer to the surface than `reach`, and some more, if they are not there. Ends the program with
+ * a message where memory does not suffice. Opens its own team. */
 void wall_field_cover(struct wall_field *field, double reach);
 
 /* Distance and gradient (of a length near 1) at a place; false: no tile is there, and it is farther than the reach. */
