@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: BSD-3-Clause
-# The program runs on any x86-64: only the dispatched kernels have code for newer instructions, and without these instructions the
+# The program runs on any x86-64: only dispatched kernels and clones have code for newer instructions, and without these instructions the
 # bits are the same. The test looks into the object files, runs a scene with each set of instructions, and runs the scene on emulated
 # CPUs without these instructions (qemu-x86_64: Debian's qemu-user; without qemu the test reports that this part is skipped).
 set -u
