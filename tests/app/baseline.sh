@@ -24,10 +24,12 @@ case $flags in
 esac
 
 # newer OBJECT: the instructions in it that an x86-64 of 2003 does not have: those coded by VEX and EVEX (their names begin with v, or
-# with k for masks), those of SSE3 to SSE4.2, and of BMI. (tzcnt is not among them: old CPUs read it as bsf, and compilers use it so.)
+# with k for masks), those of SSE3 to SSE4.2, and of BMI. (tzcnt is not among them: old CPUs read it as bsf, and compilers use it so.) The
+# versions of a function with clones (base/clones.h) do not count: the program takes the one that its CPU has.
 newer() {
     objdump -d --no-show-raw-insn "$1" | awk -F'\t' '
-        NF < 2 { next }
+        /^[0-9a-f]+ <.*>:$/ { clone = /[.]avx(2|512f)[.a-z0-9]*>:$/ }
+        clone || NF < 2 { next }
         $2 ~ /^(v[a-z0-9]+ +.*%[xyz]mm|vzero|k(mov|and|or|xor|test|shift|unpck)[a-z]* )/ ||
         $2 ~ /^(haddp|hsubp|addsubp|lddqu|movddup|movs[hl]dup|pshufb|pabs[bwd]|palignr|pmaddubsw|phadd|phsub|psign|pmulhrsw)/ ||
         $2 ~ /^(pmulld|pmuldq|pblend|blendv?p|pmovsx|pmovzx|pminsb|pminsd|pminuw|pminud|pmaxsb|pmaxsd|pmaxuw|pmaxud|ptest|rounds|roundp)/ ||
