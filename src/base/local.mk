@@ -3,9 +3,9 @@ noinst_LTLIBRARIES += libcore.la
 libcore_la_SOURCES = \
 	%D%/checksum.c %D%/eigen3.c %D%/eigen6.c %D%/error.c %D%/exact.c %D%/hash.c %D%/log.c %D%/memory.c \
 	%D%/moments.c %D%/program.c %D%/random.c %D%/rotor.c %D%/scan.c %D%/team.c %D%/threads.c %D%/timer.c \
-	%D%/version.c %D%/checksum.h %D%/clones.h %D%/eigen3.h %D%/eigen6.h %D%/error.h %D%/exact.h \
-	%D%/hash.h %D%/image.h %D%/log.h %D%/memory.h %D%/mix.h %D%/moments.h %D%/program.h %D%/random.h \
-	%D%/rotor.h %D%/scan.h %D%/stream.h %D%/team.h %D%/threads.h %D%/timer.h %D%/vector.h %D%/version.h
+	%D%/version.c %D%/checksum.h %D%/clones.h %D%/eigen3.h %D%/eigen6.h %D%/error.h %D%/exact.h %D%/hash.h \
+	%D%/image.h %D%/log.h %D%/memory.h %D%/mix.h %D%/moments.h %D%/program.h %D%/random.h %D%/rotor.h %D%/scan.h \
+	%D%/stream.h %D%/team.h %D%/threads.h %D%/timer.h %D%/vector.h %D%/version.h
 
 noinst_LTLIBRARIES += libfiles.la
 libfiles_la_SOURCES = %D%/file.c %D%/lines.c %D%/numbers.c %D%/file.h %D%/lines.h %D%/numbers.h

@@ -66,6 +66,9 @@ struct bond_section bonds_section(const struct bonds *bonds, int entry, uint32_t
 void bonds_compact(struct bonds *bonds);
 void bonds_link_all(struct bonds *bonds);
 
+/* bonds_act.c: the bonds of the particles of a thread. */
+void bonds_act(const struct physics_context *context, int thread);
+
 /* make.c: makes the bonds, with errors in bonds->error. Collective. bonds_list_good reads the list alone, for
  * its mistakes. */
 void bonds_make(struct bonds *bonds);
