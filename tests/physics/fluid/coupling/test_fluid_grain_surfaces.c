@@ -113,6 +113,7 @@ static void a_boundary_particle_rides(void **state) {
         .self = &fluid, .options = &options, .box = &box, .particles = p, .clock = &clock};
     (void)state;
     options.grains.unresolved = NAN;
+    options.grains.hydraulic = 1;
     fluid.input = (struct weights_input){
         .particles = p, .kind = kinds_of(p), .pairs = &pairs, .shift = none, .dimension = 3};
     kinds_of(p)[0] = KIND_BOUNDARY;
@@ -167,6 +168,7 @@ static void sums_of_a_rigid_motion(void **state) {
     (void)state;
     options.grains.motion = FLUID_GRAINS_FREE;
     options.grains.unresolved = NAN;
+    options.grains.hydraulic = 1;
     for (int k = 0; k < 6; k++) {
         part[k] = (struct solid_part){.row = (uint32_t)k, .grain = 1, .share = 0.5};
         part[k].arm[k / 2] = k % 2 ? a[k / 2] : -a[k / 2];
