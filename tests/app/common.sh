@@ -213,3 +213,25 @@ scene_refused() {
         grep -qF -e "$word" said || { echo "  no '$word' in: $(cat said)"; return 1; }
     done
 }
+
+# energy_kept FILE: the balance of energies never grows by more than 1 % of its start, nor falls by more than 2 %
+energy_kept() {
+    awk -F, -v column=energy_balance 'NR == 1 { for (k = 1; k <= NF; k++) if ($k ~ "^" column) c = k; next } NR == 2 { first = $c }
+        { if ($c > 1.01 * first || $c < 0.98 * first) bad = 1; last = $c } END { print "  energy", last / first; exit bad }' "$1"
+}
+# bed_everywhere: bed.yaml, with a checkpoint of step 1200, on threads, another index, after a resume and on ranks. The script has `rests DIR`,
+# which says whether a run has come to rest as it should, and `same DIR DIR`, whether two runs have the same bits
+bed_everywhere() {
+    check 'a bed' run_scene 1 bed.yaml one --set threads=1
+    check 'it rests' rests one
+    check 'two threads' run_scene 1 bed.yaml two --set threads=2
+    check 'the same bits' same one two
+    check 'another index' run_scene 1 bed.yaml brute --set threads=1 --set index.name=brute
+    check 'the same bits' same one brute
+    check 'a run that goes on' run_scene 1 bed.yaml rest --set threads=1 --resume one/checkpoint-1200.h5
+    check 'the same bits' same one rest
+    check '3 ranks' run_scene 3 bed.yaml three --set threads=1
+    check 'it rests' rests three
+    check 'goes on, on 2 ranks, newton off' run_scene 2 bed.yaml goes --set threads=1 --set newton=false --resume three/checkpoint-1200.h5
+    check 'it rests' rests goes
+}
