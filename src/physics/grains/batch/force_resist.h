@@ -45,13 +45,17 @@ LAW_INLINE void force_put_energies(struct law_case law, struct force_batch *rest
     b->energy[2][k] = touches ? out->taken : b->energy[2][k];
 }
 
-/* The contact radius: `recalls`, the push has written it, else that of elastic spheres. */
-LAW_INLINE double force_neck(const struct force_batch *restrict b, int k, bool recalls) {
-    double elastic = sqrt(b->effective[k] * law_most(b->overlap[k], 0.0));
-    return recalls ? b->springs[6][k] : elastic;
+/* Fills in the contact radii of elastic spheres, where the push has not written them. */
+LAW_INLINE void force_necks(const struct law *law, struct force_batch *restrict b) {
+    if (law_grip_radius_recalls(law))
+        return;
+    int count = b->walk.padded;
+#pragma omp simd
+    for (int k = 0; k < count; k++)
+        b->springs[6][k] = sqrt(b->effective[k] * law_most(b->overlap[k], 0.0));
 }
 
-LAW_INLINE void force_slide_one(struct law_case law, enum law_tangential kind, bool recalls, double *past,
+LAW_INLINE void force_slide_one(struct law_case law, enum law_tangential kind, double *past,
                                 struct force_batch *restrict b, int k, struct law_step step) {
     struct law_vector push = law_scale(b->springs[0][k], force_vector(b->normal, k));
     if (kind == LAW_TANGENTIAL_NONE) {
@@ -67,7 +71,7 @@ LAW_INLINE void force_slide_one(struct law_case law, enum law_tangential kind, b
     if (kind == LAW_TANGENTIAL_VISCOUS) {
         force = law_dash(step, rate, damping, limit, &out);
     } else {
-        double a = law_rescales(kind) ? force_neck(b, k, recalls) : 0.0;
+        double a = law_rescales(kind) ? b->springs[6][k] : 0.0;
         double before = law_rescales(kind) ? past[k] : 0.0;
         struct law_vector spring =
             law_scale(law_spring_factor(kind, a, before, stiffness), force_vector(b->walk.history, k));
@@ -75,7 +79,7 @@ LAW_INLINE void force_slide_one(struct law_case law, enum law_tangential kind, b
         spring = law_scale(law_keeps_force(kind) ? stiffness : 1.0, spring);
         force_set(b->walk.history, k, force_where(touches, spring));
         if (law_rescales(kind))
-            past[k] = !touches ? 0.0 : step.dt > 0.0 ? a : before;
+            past[k] = touches ? (step.dt > 0.0 ? a : before) : 0.0;
     }
     force_set(b->walk.out + FORCE_OUT, k, law_add(push, 1.0, force_where(touches, force)));
     force_set(b->walk.out + FORCE_MOMENT, k, force_where(touches, law_cross(force, in.normal)));
@@ -85,12 +89,13 @@ LAW_INLINE void force_slide_one(struct law_case law, enum law_tangential kind, b
 
 LAW_INLINE void force_slide_all(struct law_case law_is, enum law_tangential kind, const struct law *law,
                                 struct law_step step, struct force_batch *restrict b) {
-    const bool recalls = law_grip_radius_recalls(law);
+    if (law_rescales(kind))
+        force_necks(law, b);
     double *past = law_rescales(kind) ? b->walk.history[law->memory.radius] : NULL;
     int count = b->walk.padded;
 #pragma omp simd
     for (int k = 0; k < count; k++)
-        force_slide_one(law_is, kind, recalls, past, b, k, step);
+        force_slide_one(law_is, kind, past, b, k, step);
 }
 
 /* Contact k as resistances to rolling and twisting see it; `grip` has what they read. */
@@ -155,9 +160,9 @@ LAW_INLINE void force_roll_all(struct law_case law_is, enum law_rolling kind, co
 }
 
 LAW_INLINE struct law_resistance force_twisting_of(enum law_twisting kind,
-                                                   const struct force_batch *restrict b, int k, bool recalls,
+                                                   const struct force_batch *restrict b, int k,
                                                    const struct law_contact *in) {
-    const struct law_grip grip = {.tangential = b->springs[2][k], .a = force_neck(b, k, recalls)};
+    const struct law_grip grip = {.tangential = b->springs[2][k], .a = b->springs[6][k]};
     const struct law_touch touch = force_touch(b, k, in, &grip);
 #define CASE(NAME, name, with, summary)                                                                      \
     if (kind == LAW_TWISTING_##NAME) {                                                                       \
@@ -169,11 +174,11 @@ LAW_INLINE struct law_resistance force_twisting_of(enum law_twisting kind,
     return (struct law_resistance){0};
 }
 
-LAW_INLINE void force_twist_one(struct law_case law, enum law_twisting kind, bool recalls, double *past,
+LAW_INLINE void force_twist_one(struct law_case law, enum law_twisting kind, double *past,
                                 struct force_batch *restrict b, int k, struct law_step step) {
     const struct law_contact in = force_resist_in(law, b, k);
     struct law_response out = force_energies(law, b, k);
-    struct law_resistance twisting = force_twisting_of(kind, b, k, recalls, &in);
+    struct law_resistance twisting = force_twisting_of(kind, b, k, &in);
     bool touches = b->springs[4][k] > 0.0;
     double angle = past[k];
     double torque = law_twist(step, law_dot(in.spin, in.normal), &angle, twisting,
@@ -186,12 +191,12 @@ LAW_INLINE void force_twist_one(struct law_case law, enum law_twisting kind, boo
 
 LAW_INLINE void force_twist_all(struct law_case law_is, enum law_twisting kind, const struct law *law,
                                 struct law_step step, struct force_batch *restrict b) {
-    const bool recalls = law_grip_radius_recalls(law);
+    force_necks(law, b);
     double *past = b->walk.history[law->memory.twist];
     int count = b->walk.padded;
 #pragma omp simd
     for (int k = 0; k < count; k++)
-        force_twist_one(law_is, kind, recalls, past, b, k, step);
+        force_twist_one(law_is, kind, past, b, k, step);
 }
 
 /* The loops of a part: in the plane of the full step and of the half step, without and with energies. */

@@ -34,7 +34,8 @@ LAW_INLINE struct law_vector law_slip_rate(const struct law_contact *in, struct 
 /* The factor by which a tangential spring changes before it advances: with the contact radius a on unloading, and where the force
  * is remembered, from force to displacement by the stiffness now. */
 LAW_INLINE double law_spring_factor(enum law_tangential kind, double a, double before, double stiffness) {
-    double factor = law_rescales(kind) && a < before ? a / before : 1.0;
+    double shrunk = a / law_max(before, LAW_RESIST_TINY);
+    double factor = law_rescales(kind) && a < before ? shrunk : 1.0;
     return law_keeps_force(kind) ? factor / law_max(stiffness, LAW_RESIST_TINY) : factor;
 }
 
