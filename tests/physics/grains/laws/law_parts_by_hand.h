@@ -72,4 +72,55 @@ static inline bool next_cohesion(struct law_options *o) {
     return true;
 }
 
+static inline struct law_vector random_vector(struct random_sequence *r) {
+    double x = 2.0 * random_uniform(r) - 1.0, y = 2.0 * random_uniform(r) - 1.0;
+    return (struct law_vector){x, y, 2.0 * random_uniform(r) - 1.0};
+}
+
+static inline struct law_general random_contact(const struct law *law, struct random_sequence *r) {
+    struct law_general in = {.extra = &law->extra[law_place_of(law->materials, 0, 1)],
+                             .radius = {0.5 + random_uniform(r), 0.5 + random_uniform(r)}};
+    struct law_vector n = random_vector(r), half;
+    n = law_scale(1.0 / sqrt(law_dot(n, n)), n);
+    half = law_add(n, 0.05, random_vector(r));
+    in.contact = (struct law_contact){.overlap = 0.03 * random_uniform(r) - 0.01,
+                                      .mass = 0.5 + random_uniform(r),
+                                      .radius = in.radius[0] * in.radius[1] / (in.radius[0] + in.radius[1]),
+                                      .normal = n,
+                                      .half_normal = law_scale(1.0 / sqrt(law_dot(half, half)), half),
+                                      .velocity = random_vector(r),
+                                      .surface = random_vector(r),
+                                      .spin = random_vector(r),
+                                      .coefficients = law->pair[law_place_of(law->materials, 0, 1)]};
+    for (int c = 0; c < law->history_components; c++)
+        in.value[c] = 0.02 * random_uniform(r);
+    return in;
+}
+
+/* Options number k of the parts. */
+static inline struct law_options options_of(int k) {
+    struct law_options o = law_options_default();
+    o.tangential = (enum law_tangential)(k % LAW_TANGENTIAL_COUNT);
+    k /= LAW_TANGENTIAL_COUNT;
+    o.rolling = (enum law_rolling)(k % LAW_ROLLING_COUNT);
+    k /= LAW_ROLLING_COUNT;
+    o.twisting = (enum law_twisting)(k % LAW_TWISTING_COUNT);
+    k /= LAW_TWISTING_COUNT;
+    o.cohesion = (enum law_cohesion)(k % LAW_COHESION_COUNT);
+    k /= LAW_COHESION_COUNT;
+    o.damping = (enum law_damping)(k % LAW_DAMPING_COUNT);
+    o.synchronised = k % 3;
+    o.end = k % 2 ? LAW_END_FORCE : LAW_END_OVERLAP;
+    if (o.tangential == LAW_FRICTIONLESS) {
+        o.rolling = LAW_ROLLING_NONE;
+        o.twisting = LAW_TWISTING_NONE;
+    }
+    return o;
+}
+
+enum {
+    OPTIONS =
+        LAW_TANGENTIAL_COUNT * LAW_ROLLING_COUNT * LAW_TWISTING_COUNT * LAW_COHESION_COUNT * LAW_DAMPING_COUNT
+};
+
 #endif
