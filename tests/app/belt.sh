@@ -105,21 +105,11 @@ reproducible: true
 observables: {every: 600, list: [{name: work_walls}, {name: energy_balance}, {name: wall_force, target: belt}]}
 output: {dump: {every: 600, fields: [id, position, velocity, angular_velocity]}, checkpoint: {every: 600}}
 YAML
-same() { rows other | cmp - one.rows && tail -n 1 other/observables.csv | cut -d , -f 1,2,4- | cmp - one.row; } # the balance is no part of the mode
-layouts() {
-    rm -rf one && run_scene 1 many.yaml one --set threads=1 && rows one >one.rows && tail -n 1 one/observables.csv | cut -d , -f 1,2,4- >one.row || return 1
-    for layout in '1 2 hgrid' '3 1 linkcell' '2 2 multi'; do
-        # shellcheck disable=SC2086
-        set -- $layout
-        rm -rf other && run_scene "$1" many.yaml other --set "threads=$2" --set "index.name=$3" && same || { echo "  $layout"; return 1; }
-    done
-}
+row() { tail -n 1 "$1/observables.csv" | cut -d , -f 1,2,4-; } # the balance is no part of the mode
+layouts() { many_one && many_layouts; }
 check 'the same bits on any layout, work included' layouts
-resumes() {
-    rm -rf other && run_scene "$1" many.yaml other --set threads=1 --resume one/checkpoint-600.h5 && same
-}
-check 'a resume gives the same bits' resumes 1
-check 'a resume on 2 ranks gives the same bits' resumes 2
+check 'a resume gives the same bits' many_resumes 1
+check 'a resume on 2 ranks gives the same bits' many_resumes 2
 change() { awk -F , 'NR == 2 { first = $3 } END { print ($3 - first) / $2 }' "$1/observables.csv"; }
 balance() { # its change, over the work, is an error of the step: of first order
     rm -rf fine && run_scene 1 many.yaml fine --set reproducible=false --set step.dt=0.00025 --set step.count=2400 --set output.dump.every=2400 &&

@@ -235,3 +235,17 @@ bed_everywhere() {
     check 'goes on, on 2 ranks, newton off' run_scene 2 bed.yaml goes --set threads=1 --set newton=false --resume three/checkpoint-1200.h5
     check 'it rests' rests goes
 }
+
+# many.yaml is run as `one`, and again as `other` on more ranks, threads and indexes, and from its checkpoint of step 600. The script has `rows DIR`, the
+# particles at the end, and `row DIR`, the observables that must be the same
+many_same() { rows other | cmp - one.rows && row other | cmp - one.row; }
+many_one() { rm -rf one && run_scene 1 many.yaml one --set threads=1 && rows one >one.rows && row one >one.row; }
+many_layouts() {
+    local layout
+    for layout in '1 2 hgrid' '3 1 linkcell' '2 2 multi'; do
+        # shellcheck disable=SC2086
+        set -- $layout
+        rm -rf other && run_scene "$1" many.yaml other --set "threads=$2" --set "index.name=$3" && many_same || { echo "  $layout"; return 1; }
+    done
+}
+many_resumes() { rm -rf other && run_scene "$1" many.yaml other --set threads=1 --resume one/checkpoint-600.h5 && many_same; }

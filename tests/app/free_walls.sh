@@ -117,26 +117,19 @@ reproducible: true
 observables: {every: 600, list: [{name: wall_offset}, {name: wall_velocity}, {name: wall_rotation}, {name: wall_angular_velocity}, {name: wall_force}, {name: wall_torque}, {name: energy_walls}]}
 output: {dump: {every: 600, fields: [id, position, velocity, angular_velocity]}, checkpoint: {every: 600}}
 YAML
-same() { rows other | cmp - one.rows && tail -n 1 other/observables.csv | cmp - one.row; }
+row() { tail -n 1 "$1/observables.csv"; }
 layouts() {
-    rm -rf one && run_scene 1 many.yaml one --set threads=1 && rows one >one.rows && tail -n 1 one/observables.csv >one.row || return 1
+    many_one || return 1
     echo "  the sleeper turned by $(column one sleeper_phix) $(column one sleeper_phiy), the paddle by $(column one paddle_phix)"
     [ "$(column one sleeper_phix)" != 0 ] && [ "$(column one paddle_phix)" != 0 ] || return 1
-    for layout in '1 2 hgrid' '3 1 linkcell' '2 2 multi'; do
-        # shellcheck disable=SC2086
-        set -- $layout
-        rm -rf other && run_scene "$1" many.yaml other --set "threads=$2" --set "index.name=$3" && same || { echo "  $layout"; return 1; }
-    done
+    many_layouts
 }
 check 'the same bits on any layout' layouts
-resumes() {
-    rm -rf other && run_scene "$1" many.yaml other --set threads=1 --resume one/checkpoint-600.h5 && same
-}
-check 'a resume gives the same bits' resumes 1
-check 'a resume on 2 ranks gives the same bits' resumes 2
+check 'a resume gives the same bits' many_resumes 1
+check 'a resume on 2 ranks gives the same bits' many_resumes 2
 fast() { # without the mode: a resume on the same layout
     rm -rf one other && run_scene 2 many.yaml one --set reproducible=false && rows one >one.rows && tail -n 1 one/observables.csv >one.row &&
-        run_scene 2 many.yaml other --set reproducible=false --resume one/checkpoint-600.h5 && same
+        run_scene 2 many.yaml other --set reproducible=false --resume one/checkpoint-600.h5 && many_same
 }
 check 'the fast mode: a resume on 2 ranks gives the same bits' fast
 
