@@ -4,10 +4,18 @@
 # Round columns and columns in a channel, of one size of grains and of sizes from 1 to 10. Prints a JSON line a column, a line with the fitted
 # exponent a series, and a last line; the exit status is 1 if a column or an exponent is out of bounds. Draws DIR/columns.svg.
 # --quick: coarser grains. SERIES and ASPECTS, if set, name some of "round plane round-10 plane-10" and the aspect ratios.
+# FINER: grains of one size so many times smaller. Their number grows as the third power of it, in the channel, which is eight grains wide, as the square.
 set -eu
 here=$(cd "$(dirname "$0")" && pwd)
 . "$here/../common.sh"
 export LC_ALL=C
+case "${FINER:-1} ${SERIES:-round-10}" in
+"1 "*) ;;
+*-10*)
+    echo 'run.sh: FINER is for series of one size: SERIES="round plane"' >&2
+    exit 2
+    ;;
+esac
 quick=
 if [ "${1:-}" = --quick ]; then
     quick=yes
@@ -27,6 +35,10 @@ column() {
     10) grains="{law: power, min: 0.2 mm, max: 2 mm, exponent: -3}" largest=2 glued=0.63 ;;
     *) grains="{law: power, min: 0.25 mm, max: 2.5 mm, exponent: -3}" largest=2.5 glued=0.79 ;;
     esac
+    if [ "${FINER:-1}" != 1 ]; then
+        largest=$(awk -v x="$largest" -v n="$FINER" 'BEGIN { print x / n }')
+        glued=$largest grains="$largest mm"
+    fi
     # height in mm, the side of the box, its top, the width of the channel, the time of the collapse, depth and spacing of the floor's grains
     # shellcheck disable=SC2046
     set -- $(awk -v a="$aspect" -v r="$largest" -v glued="$glued" -v shape="$shape" 'BEGIN {

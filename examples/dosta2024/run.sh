@@ -54,7 +54,7 @@ out=$(cd "$out" && pwd)
 bed_source() { echo "{name: bed, file: '$1', format: h5md, material: $grain}"; }
 
 # What the cases differ in. The arguments of a run are the parameters of the shell, as they have spaces.
-solver_step=1e-4 fill=0 rest=0.05 thick=0.11 bed= soft=
+solver_step=1e-4 fill=0 rest=0.05 thick=0.11 bed= soft= rough=
 case $case_name in
 impact*)
     thousand=${case_name#impact}
@@ -67,6 +67,8 @@ impact*)
         # deep beds splash beads up to there, and some over the rim
         set -- "$@" --set box.upper='[52 mm, 33 mm, 60 cm]' --set box.leave=delete
         fill=0.25 rest=0.02 thick=0.028 solid=0.5
+        # beads of the case settle to a denser bed than the published one; rougher ones settle to its height
+        rough="--set material_pairs[0].friction=1 --set contact.rolling=spring --set material_pairs[0].rolling_friction=0.3"
         bed="{name: bed, from: packed, count: $count, sizes: 1 mm, material: glass, region: {shape: box, lower: [-0.049, -0.03, -0.0902431], upper: [0.049, 0.03, $(
             awk -v n=$count -v f=$solid 'BEGIN { printf "%.6f", -0.0902431 + n * 4.18879e-9 / f / (0.098 * 0.06) }')]}}"
     fi
@@ -134,7 +136,7 @@ pour() {
         return
     fi
     # shellcheck disable=SC2086
-    sink soft "$fill" $thick "$@" $soft ${bed:+--set} ${bed:+"particles.sources=[$bed]"}
+    sink soft "$fill" $thick "$@" $soft $rough ${bed:+--set} ${bed:+"particles.sources=[$bed]"}
     bed_source=$(bed_source "$out/soft/trajectory.h5")
     test $step != soft || return 0
     sink bed "$rest" "$(awk -v mu=$thick 'BEGIN { print 40 * mu }')" "$@" --set "particles.sources=[$bed_source]"
