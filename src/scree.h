@@ -144,9 +144,16 @@ struct scree_particle {
     double angular_velocity[3]; /* 1/time; only with friction */
     double radius, density;     /* density as the scene means it (box.density); 0: that of the material */
     int material, group;        /* numbers in the scene, from 0; group 0 is "free" */
+    const char *
+        shape; /* name of an entry of bodies.clumps or bodies.shapes; "": it stays a sphere; NULL: material and radius choose, as in
+                          the scene's sources */
+    double orientation
+        [4]; /* of a body: quaternion w x y z, of any length, from the frame in which the entry is drawn; all 0: the entry says
+                              it. A body with an orientation turns with angular_velocity, without that of the entry */
 };
 
-/* Adds particles in the next step; their ids follow the largest id so far, in order. Whether they overlap others is not
+/* Adds particles in the next step. The radius of a named shape is that of the sphere of its volume where a source or an insertion of the scene
+ * names the entry, too, else of the ball around the body, as the entry's `size` says. The ids of particles follow the largest id so far, in order. Whether they overlap others is not
  * looked at. A fluid refuses all, and a periodic box rocks that are too large for it. The array is borrowed for the
  * call. Collective. */
 bool scree_add(struct scree_simulation *simulation, const struct scree_particle *particles, size_t count,

@@ -137,7 +137,7 @@ struct physics_grain {
     double radius, density; /* mass over volume of its sphere */
     int64_t id;             /* chooses between the variants of what it becomes ... */
     int variant;            /* ... or this number does; -1: the id */
-    int shape;              /* what its source names (struct source_form); 0: material and radius choose */
+    int shape; /* what its source names (struct source_form); 0: material and radius choose; -1: it stays a sphere */
 };
 
 /* A sphere of which a grain is made. */

@@ -317,7 +317,6 @@ static void candidate_append(struct particles *particles, const struct scene *sc
     double(*omega)[4] = spin_of(particles), *density = groups_densities(particles);
     double *temperature = fields_numbers(particles, "temperature");
     uint8_t *material = material_numbers(particles), *group = groups_of(particles);
-    int32_t *shape = shape_numbers(particles);
     if (omega)
         memcpy(omega[k], candidate->omega, sizeof candidate->omega);
     if (material)
@@ -328,8 +327,7 @@ static void candidate_append(struct particles *particles, const struct scene *sc
         density[k] = candidate->density;
     if (temperature)
         temperature[k] = candidate->temperature;
-    if (shape)
-        shape[k] = candidate->shape;
+    shape_set(particles, k, candidate->shape, 0, candidate->orientation);
 }
 
 /* An accepted candidate enters, on the rank that owns its position; all ranks advance the next id. Returns its mass. */

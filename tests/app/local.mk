@@ -13,7 +13,7 @@ dist_check_SCRIPTS += \
 	%D%/heat.sh %D%/ids.sh %D%/lammps.sh %D%/layouts.sh %D%/library.sh %D%/many.sh %D%/needs.sh \
 	%D%/observables.sh %D%/oracle.sh %D%/pack.sh %D%/pages.sh %D%/physics.sh %D%/picture.sh %D%/pores.sh \
 	%D%/random_scenes.sh %D%/ranks.sh %D%/readers.sh %D%/report.sh %D%/reproducible.sh %D%/restart.sh \
-	%D%/resume.sh %D%/rocks.sh %D%/rocks_shown.sh %D%/rocks_sources.sh %D%/rocks_walls.sh %D%/shear.sh \
+	%D%/resume.sh %D%/rocks.sh %D%/rocks_files.sh %D%/rocks_shown.sh %D%/rocks_sources.sh %D%/rocks_walls.sh %D%/shear.sh \
 	%D%/site.sh %D%/solver.sh %D%/solver_features.sh %D%/solver_newton.sh %D%/solver_pull.sh \
 	%D%/solver_resist.sh %D%/solver_table.sh %D%/stability.sh %D%/stages.sh %D%/stress.sh %D%/terminal.sh \
 	%D%/threads.sh %D%/unreadable.sh %D%/user_law.sh %D%/verify.sh %D%/view.sh

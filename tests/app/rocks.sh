@@ -115,9 +115,23 @@ rows one >one.rows
 met() { tail -n 1 one/observables.csv | awk -F, '{ print "  dissipated " $7; exit !($7 > 10) }'; }
 check 'its particles meet' met
 check 'the same bits: 2 ranks, 2 threads, brute' alike 2 2 --set index.name=brute
-check 'the same bits: 4 ranks, hgrid' alike 4 1 --set index.name=hgrid
 check 'the same bits: 3 ranks, bisection, multi' alike 3 1 --set domain.name=bisection --set index.name=multi
-check 'the same bits: linkcell, 2 threads' alike 1 2 --set index.name=linkcell
+every() { # each of the other indexes, on 4, 1 or 2 ranks in turns
+    local index k=0 ranks=(4 1 2)
+    for index in $(indexes); do
+        [[ $index =~ ^(auto|brute|multi)$ ]] || alike "${ranks[k++ % 3]}" $((1 + k % 2)) --set index.name="$index" || { echo "  $index"; return 1; }
+    done
+    echo "  $k indexes"
+    [ $k -ge 2 ]
+}
+check 'the same bits on the other indexes, 4, 1 and 2 ranks' every
+ablated() { # an ablation over the indexes: the same trajectories to rounding
+    on 2 "$scree" ablate gas.yaml --error -o ablated --only index --duration 0.05 --samples 2 --repeat 1 --set output='~' --judge trajectory >said 2>&1 || { cat said; return 1; }
+    awk -F, 'NR == 1 { for (k = 1; k <= NF; k++) at[$k] = k; next } $at["settings"] == "as it is" { own = $at["trajectory_error"] }
+        $1 == "index" { n++; d = $at["trajectory_error"] - own; if (!(d * d <= (1e-6 * own) ^ 2)) { bad = 1; print "  " $2, $at["trajectory_error"], own } }
+        END { print "  " n " indexes, error " own; exit bad || n < 3 }' ablated/speed_error.csv
+}
+check 'an ablation over indexes finds the same motion' ablated
 resumed() { rm -rf more && run_scene 3 crowd.yaml more --set reproducible=true --resume one/checkpoint-600.h5 && rows more | cmp - one.rows; }
 check 'a resume on 3 ranks gives the same bits' resumed
 near() { # RANKS SETTING...: without the reproducible mode

@@ -371,7 +371,59 @@ static void a_fluid_keeps_its_grains(void **test) {
     team_finish(team);
 }
 
+/* Rocks that the program adds, by name and orientation: the same bits on all ranks; and one that no entry names. */
+static void rocks_come_by_their_shapes_on_all_ranks_alike(void **test) {
+    static const char *const numbers[] = {"position", "velocity"};
+    struct team *team = *test;
+    const char *set[] = {"particles.sources[0].count=60",
+                         "bodies={shapes: [{name: cube, material: a, radius_above: 9, vertices: [0,0,0, "
+                         "1,0,0, 0,1,0, 1,1,0, 0,0,1, "
+                         "1,0,1, 0,1,1, 1,1,1], rounding: 0.05}, {name: wedge, material: a, radius_above: 9, "
+                         "vertices: [0,0,0, 1,0,0, "
+                         "0,1,0, 1,1,0, 0,0,1, 1,0,1], rounding: 0.05}]}",
+                         "observables.list=[{name: bodies}, {name: momentum}]"};
+    struct scree_options both = {.communicator = &team->comm.handle, .set = set, .sets = 3}, one = both;
+    struct scree_particle rock[] = {
+        {.position = {0.1, 5, 7},
+         .radius = 0.7,
+         .velocity = {0, 0, -5},
+         .shape = "cube",
+         .orientation = {1, 2, 3, 4}},
+        {.position = {-5.9, 5, 7}, .radius = 0.6, .velocity = {0, 0, -5}, .shape = "wedge"},
+        {.position = {3, 5, 7.3}, .radius = 0.3, .shape = "", .angular_velocity = {1, 0, 0}}};
+    struct scree_error error;
+    one.communicator = NULL;
+    struct scree_simulation *s = create(team, &both), *single = create(team, &one);
+    for (int k = 0; s && single && k < 2; k++) {
+        struct scree_simulation *of = k ? single : s;
+        team_expect(team, scree_add(of, rock, 3, &error), "%s", error.text);
+        step(team, of, 90);
+        team_expect(team, scree_row(of, scree_rows(of) - 1)[1] == 2, "%g bodies",
+                    scree_row(of, scree_rows(of) - 1)[1]);
+    }
+    for (int f = 0; s && single && f < 2; f++) {
+        static double together[GRAINS + 3][3], alone[GRAINS + 3][3];
+        gather(team, s, numbers[f], together, true);
+        gather(team, single, numbers[f], alone, false);
+        team_expect(team, memcmp(together, alone, sizeof alone) == 0, "%s: the ranks differ from one",
+                    numbers[f]);
+    }
+    rock[0].shape = "brick";
+    if (s)
+        team_expect(
+            team,
+            !scree_add(s, rock, 1, &error) &&
+                strstr(
+                    error.text,
+                    "new particle 0: shape: no entry of bodies has the name 'brick'; allowed: cube, wedge"),
+            "%s", error.text);
+    scree_destroy(&s);
+    scree_destroy(&single);
+    team_finish(team);
+}
+
 TEAM_MAIN(library, team_case(ranks_together_get_what_one_gets_alone), team_case(a_report_tells_of_the_steps),
           team_case(a_checkpoint_goes_on_to_the_bit), team_case(particles_come_go_and_are_moved),
           team_case(stages_follow_each_other_on_all_ranks_alike), team_case(mistakes_and_guards_are_told),
-          team_case(hard_contacts_feel_the_force_of_the_caller), team_case(a_fluid_keeps_its_grains))
+          team_case(hard_contacts_feel_the_force_of_the_caller), team_case(a_fluid_keeps_its_grains),
+          team_case(rocks_come_by_their_shapes_on_all_ranks_alike))

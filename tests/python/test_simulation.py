@@ -147,6 +147,32 @@ def test_bodies_come_and_go_as_a_whole():
     assert sorted(body[body >= 0]) == [2, 2, max(identity) - 2, max(identity) - 2]
 
 
+def test_rocks_come_by_their_shapes():
+    cube = {"name": "cube", "vertices": [float(x) for k in range(8) for x in (k & 1, k >> 1 & 1, k >> 2)], "rounding": 0.05}
+    slab = {"name": "slab", "vertices": [float(x) for k in range(8) for x in (3 * (k & 1), 2 * (k >> 1 & 1), k >> 2)], "rounding": 0.05}
+    one = {"sources": [{"from": "single", "position": [0, 0, 5], "radius": 0.2, "shape": "cube"}]}
+    simulation = scree.Simulation({**SCENE, "particles": one, "bodies": {"shapes": [cube, slab]}, "step": {"dt": 0.0002, "count": 400}})
+    simulation.add([[0, 0, 2], [1, 1, 2], [2, 2, 2]], radius=0.3, shape=["slab", "cube", ""], orientation=[0, 0, 0, 2])
+    simulation.run(1)
+    ball = simulation.field("kind") == 0
+    columns = (simulation.field(name)[ball] for name in ("rock_shape", "inverse_mass"))
+    rock = {tuple(np.round(x, 2)): (s, 1 / w) for x, s, w in zip(simulation.position[ball] + simulation.origin, *columns)}
+    assert rock[1, 1, 2][0] == 0 and abs(rock[1, 1, 2][1] / (4 / 3 * np.pi * 0.3**3) - 1) < 1e-12  # a source names cubes
+    assert rock[0, 0, 2][0] == 1 and abs(rock[0, 0, 2][1] / (6 * (0.3 / 1.84095) ** 3) - 1) < 1e-4  # the radius of the ball
+    assert rock[2, 2, 2][0] == -1
+    body = simulation.field("kind") == 3
+    slab_turn = simulation.field("orientation")[body & (simulation.field("body_part") == 1)][0]
+    assert np.all(np.min(np.abs(np.abs(slab_turn)[:, None] - np.sqrt([0, 0.25, 0.5, 1])), axis=1) < 1e-12)  # along the axes
+    wrong = (
+        ({"shape": "brick"}, "no entry of bodies has the name 'brick'; allowed: cube, slab"),
+        ({"orientation": [np.nan, 0, 0, 0]}, "orientation"),
+        ({"shape": ["cube"] * 2}, "shape is a name"),
+    )
+    for words, what in wrong:
+        with pytest.raises(scree.Error, match=what):
+            simulation.add([0, 0, 8], radius=0.3, **words)
+
+
 def test_ids_of_files_stand_beside_added_particles(tmp_path):
     (tmp_path / "rows.txt").write_text("id radius x y z\n7 0.3 1 1 1\n900 0.3 2 1 1\n")
     sources = [{"file": str(tmp_path / "rows.txt"), "format": "table"}, {"from": "single", "position": [0, 1, 1], "radius": 0.3}]

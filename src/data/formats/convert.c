@@ -12,6 +12,7 @@
 #include "data/formats/h5md_read.h"
 #include "data/formats/info.h"
 #include "data/formats/lammps_data.h"
+#include "data/formats/output_shapes.h"
 #include "kernel/particles/groups.h"
 
 #include <inttypes.h>
@@ -104,20 +105,28 @@ static void sort_rows(struct rows *rows) {
     }
     qsort(order, n, sizeof *order, compare_ids);
     const int64_t(*by)[2] = (const int64_t(*)[2])order;
-    sort_array(rows->position, sizeof *rows->position, by, n);
-    sort_array(rows->velocity, sizeof *rows->velocity, by, n);
-    sort_array(rows->angular_velocity, sizeof *rows->angular_velocity, by, n);
-    sort_array(rows->radius, sizeof *rows->radius, by, n);
-    sort_array(rows->mass, sizeof *rows->mass, by, n);
-    sort_array(rows->material, sizeof *rows->material, by, n);
-    sort_array(rows->image, sizeof *rows->image, by, n);
-    sort_array(rows->id, sizeof *rows->id, by, n);
+    for (int k = 0; k < ROWS_KINDS; k++)
+        sort_array(rows_values(rows, &rows_kinds[k]), rows_bytes(&rows_kinds[k]), by, n);
     memory_free(order);
 }
 
 /* True if the file has the field of this name. */
 static bool was_read(const struct checkpoint_loaded *loaded, const struct particles *p, const char *name) {
     return loaded->field_read[fields_find(p, name)];
+}
+
+/* Fills a column that shows a field as it is, a number of one byte in four. */
+static void copy_column(struct rows *rows, const struct rows_kind *kind, const struct particles *p) {
+    const int f = fields_find(p, kind->name);
+    const struct field *field = fields_get(p, f);
+    const size_t bytes = rows_bytes(kind);
+    size_t stride;
+    const char *from = fields_base(p, f, &stride);
+    char *to = rows_values(rows, kind);
+    for (size_t i = 0; i < p->owned; i++) {
+        const int32_t small = field->type == FIELD_UINT8 ? *(const uint8_t *)(from + i * stride) : 0;
+        memcpy(to + i * bytes, field->type == FIELD_UINT8 ? (const char *)&small : from + i * stride, bytes);
+    }
 }
 
 static void rows_of_particles(struct rows *rows, const struct particles *p,
@@ -130,7 +139,13 @@ static void rows_of_particles(struct rows *rows, const struct particles *p,
     columns |= omega ? ROWS_ANGULAR_VELOCITY : 0u;
     columns |= material ? ROWS_MATERIAL : 0u;
     columns |= image ? ROWS_IMAGE : 0u;
+    for (int k = 0; k < ROWS_KINDS; k++)
+        if (rows_kinds[k].bit > ROWS_LINE && was_read(loaded, p, rows_kinds[k].name))
+            columns |= rows_kinds[k].bit;
     rows_create(rows, p->owned, columns);
+    for (int k = 0; k < ROWS_KINDS; k++)
+        if (rows_kinds[k].bit > ROWS_LINE && rows_values(rows, &rows_kinds[k]))
+            copy_column(rows, &rows_kinds[k], p);
     for (size_t i = 0; i < p->owned; i++) {
         rows->id[i] = p->id[i];
         rows->radius[i] = p->state[i].radius;
@@ -288,11 +303,12 @@ static bool column_differs(const void *a, const void *b, size_t bytes) {
 
 /* True if two frames differ in columns that a file with a fixed set of particles holds only once. */
 static bool fixed_differ(const struct rows *a, const struct rows *b) {
-    size_t n = a->count;
-    return n != b->count || column_differs(a->id, b->id, n * sizeof *a->id) ||
-           column_differs(a->radius, b->radius, n * sizeof *a->radius) ||
-           column_differs(a->mass, b->mass, n * sizeof *a->mass) ||
-           column_differs(a->material, b->material, n * sizeof *a->material);
+    bool differ = a->count != b->count;
+    for (int k = 0; k < ROWS_KINDS && !differ; k++)
+        differ = rows_kinds[k].fixed &&
+                 column_differs(rows_values(a, &rows_kinds[k]), rows_values(b, &rows_kinds[k]),
+                                a->count * rows_bytes(&rows_kinds[k]));
+    return differ;
 }
 
 /* True if the particles, or their fixed columns, differ between chosen frames. */
@@ -315,12 +331,18 @@ static bool find_varying(const struct converting *c, bool *varying, struct error
 }
 
 static bool write_h5md(const struct converting *c, struct error *error) {
-    struct h5md_head head = {.dimensionless = true, .xdmf = true};
+    struct output_shapes shapes = {0};
+    struct h5md_head head = {.shapes = &shapes, .dimensionless = true, .xdmf = true};
     struct h5md *h5md = NULL;
-    if (!find_varying(c, &head.varying, error) || !h5md_open(&h5md, c->comm, c->out, &head, -1, error))
-        return false;
-    bool good = write_frames(c, h5md, NULL, error);
-    return h5md_close(&h5md, error) && good;
+    bool good = c->kind != INFO_H5MD || output_shapes_read(c->in, &shapes, error);
+    good =
+        good && find_varying(c, &head.varying, error) && h5md_open(&h5md, c->comm, c->out, &head, -1, error);
+    if (h5md) {
+        good = write_frames(c, h5md, NULL, error);
+        good = h5md_close(&h5md, error) && good;
+    }
+    output_shapes_free(&shapes);
+    return good;
 }
 
 static bool write_dump(const struct converting *c, struct error *error) {

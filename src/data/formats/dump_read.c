@@ -18,11 +18,17 @@ enum meaning {
     RADIUS,
     DIAMETER,
     MASS,
+    KIND,
+    BODY,
+    BODY_PART,
+    BODY_MASS,
+    ROCK_SHAPE,
     X, /* and Y, Z: place + component */
     SCALED = X + 3,
     V = SCALED + 3,
     OMEGA = V + 3,
-    IMAGE = OMEGA + 3
+    IMAGE = OMEGA + 3,
+    TURN = IMAGE + 3 /* four: w x y z */
 };
 
 static const struct {
@@ -53,6 +59,19 @@ static const struct {
     {"ix", IMAGE, ROWS_IMAGE},
     {"iy", IMAGE + 1, ROWS_IMAGE},
     {"iz", IMAGE + 2, ROWS_IMAGE},
+    {"kind", KIND, ROWS_KIND},
+    {"body", BODY, ROWS_BODY},
+    {"body_part", BODY_PART, ROWS_BODY_PART},
+    {"body_mass", BODY_MASS, ROWS_BODY_MASS},
+    {"rock_shape", ROCK_SHAPE, ROWS_ROCK_SHAPE},
+    {"quatw", TURN, ROWS_ROCK_ORIENTATION},
+    {"quati", TURN + 1, ROWS_ROCK_ORIENTATION},
+    {"quatj", TURN + 2, ROWS_ROCK_ORIENTATION},
+    {"quatk", TURN + 3, ROWS_ROCK_ORIENTATION},
+    {"c_q[1]", TURN, ROWS_ROCK_ORIENTATION},
+    {"c_q[2]", TURN + 1, ROWS_ROCK_ORIENTATION},
+    {"c_q[3]", TURN + 2, ROWS_ROCK_ORIENTATION},
+    {"c_q[4]", TURN + 3, ROWS_ROCK_ORIENTATION},
 };
 
 struct layout {
@@ -116,23 +135,26 @@ static bool read_box(struct lines *lines, struct head *head, struct error *error
 static bool check_vectors(const struct lines *lines, const struct layout *layout, struct error *error) {
     static const struct {
         unsigned column;
-        int first[2]; /* meanings of the x component */
-        const char *names;
-    } vectors[] = {{ROWS_POSITION, {X, SCALED}, "x y z (or xu yu zu, xs ys zs)"},
-                   {ROWS_VELOCITY, {V, V}, "vx vy vz"},
-                   {ROWS_ANGULAR_VELOCITY, {OMEGA, OMEGA}, "omegax omegay omegaz"},
-                   {ROWS_IMAGE, {IMAGE, IMAGE}, "ix iy iz"}};
-    for (size_t v = 0; v < sizeof vectors / sizeof vectors[0]; v++) {
-        unsigned have = 0;
-        for (int c = 0; c < layout->columns; c++)
-            for (int d = 0; d < 3; d++)
-                if (layout->meaning[c] == vectors[v].first[0] + d ||
-                    layout->meaning[c] == vectors[v].first[1] + d)
-                    have |= 1u << d;
-        if (have != 7 && (layout->present & vectors[v].column))
-            return lines_refuse(lines, error, "there is no column for the %c component among %s",
-                                have & 1 ? have & 2 ? 'z' : 'y' : 'x', vectors[v].names);
-    }
+        int first[2]; /* meanings of the first component */
+        const char *letters, *names;
+    } vectors[] = {
+        {ROWS_POSITION, {X, SCALED}, "xyz", "x y z (or xu yu zu, xs ys zs)"},
+        {ROWS_VELOCITY, {V, V}, "xyz", "vx vy vz"},
+        {ROWS_ANGULAR_VELOCITY, {OMEGA, OMEGA}, "xyz", "omegax omegay omegaz"},
+        {ROWS_IMAGE, {IMAGE, IMAGE}, "xyz", "ix iy iz"},
+        {ROWS_ROCK_ORIENTATION, {TURN, TURN}, "wijk", "quatw quati quatj quatk (or c_q[1] to c_q[4])"}};
+    for (size_t v = 0; v < sizeof vectors / sizeof vectors[0]; v++)
+        for (const char *letter = vectors[v].letters; *letter && (layout->present & vectors[v].column);
+             letter++) {
+            const int k = (int)(letter - vectors[v].letters);
+            bool have = false;
+            for (int c = 0; c < layout->columns; c++)
+                have = have || layout->meaning[c] == vectors[v].first[0] + k ||
+                       layout->meaning[c] == vectors[v].first[1] + k;
+            if (!have)
+                return lines_refuse(lines, error, "there is no column for the %c component among %s", *letter,
+                                    vectors[v].names);
+        }
     return true;
 }
 
@@ -193,15 +215,23 @@ static bool read_head(struct lines *lines, struct head *head, struct error *erro
     return false;
 }
 
-static bool store(const struct head *head, struct rows *rows, size_t row, int meaning, double value) {
+/* Stores a whole number of 32 bits, `least` or more. */
+static bool store_whole(double value, int64_t least, int32_t *to) {
     int64_t whole;
+    if (!lines_whole(value, least, INT32_MAX, &whole))
+        return false;
+    *to = (int32_t)whole;
+    return true;
+}
+
+static bool store(const struct head *head, struct rows *rows, size_t row, int meaning, double value) {
     switch (meaning) {
     case ID:
         return lines_whole(value, 1, LINES_WHOLE_MAX, &rows->id[row]);
     case TYPE:
-        if (!lines_whole(value, 1, INT32_MAX, &whole))
+        if (!store_whole(value, 1, &rows->material[row]))
             return false;
-        rows->material[row] = (int32_t)(whole - 1);
+        rows->material[row]--;
         return true;
     case RADIUS:
         rows->radius[row] = value;
@@ -212,15 +242,26 @@ static bool store(const struct head *head, struct rows *rows, size_t row, int me
     case MASS:
         rows->mass[row] = value;
         return value >= 0;
+    case KIND:
+        return store_whole(value, 0, &rows->kind[row]);
+    case BODY:
+        return lines_whole(value, -1, LINES_WHOLE_MAX, &rows->body[row]);
+    case BODY_PART:
+        return store_whole(value, 0, &rows->body_part[row]);
+    case BODY_MASS:
+        rows->body_mass[row] = value;
+        return value >= 0;
+    case ROCK_SHAPE:
+        return store_whole(value, -1, &rows->rock_shape[row]);
     default:
         break;
     }
     int d = (meaning - X) % 3;
-    if (meaning >= IMAGE) {
-        if (!lines_whole(value, -INT32_MAX, INT32_MAX, &whole))
-            return false;
-        rows->image[row][d] = (int32_t)whole;
-    } else if (meaning >= OMEGA)
+    if (meaning >= TURN)
+        rows->rock_orientation[row][meaning - TURN] = value;
+    else if (meaning >= IMAGE)
+        return store_whole(value, -INT32_MAX, &rows->image[row][d]);
+    else if (meaning >= OMEGA)
         rows->angular_velocity[row][d] = value;
     else if (meaning >= V)
         rows->velocity[row][d] = value;

@@ -10,6 +10,7 @@
 #include "base/memory.h"
 #include "fields_table.h"
 #include "kernel/particles/groups.h"
+#include "kernel/particles/kinds.h"
 #include "physics_table.h"
 
 #include <assert.h>
@@ -60,6 +61,7 @@ static struct shown shown_of(const struct field *field) {
 }
 
 void frame_register_all(struct particles *particles) {
+    kinds_register(particles);
 #define FIELDS_REGISTER(register_fields, needed) register_fields(particles);
     FIELDS_TABLE(FIELDS_REGISTER)
 #undef FIELDS_REGISTER

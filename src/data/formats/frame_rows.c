@@ -37,13 +37,8 @@ void frame_from_rows(struct frame *frame, const struct rows *rows) {
     frame->box.motion.offset = rows->tilt.offset;
     struct particles *known = particles_create(0);
     frame_register_all(known);
-    borrow(frame, known, "id", rows->id);
-    borrow(frame, known, "position", rows->position);
-    borrow(frame, known, "velocity", rows->velocity);
-    borrow(frame, known, "radius", rows->radius);
-    borrow(frame, known, "mass", rows->mass);
-    borrow(frame, known, "angular_velocity", rows->angular_velocity);
-    borrow(frame, known, "material", rows->material);
-    borrow(frame, known, "image", rows->image);
+    for (int k = 0; k < ROWS_KINDS; k++)
+        if (rows_kinds[k].name)
+            borrow(frame, known, rows_kinds[k].name, rows_values(rows, &rows_kinds[k]));
     particles_destroy(&known);
 }

@@ -60,17 +60,19 @@ static bool refuse_shape(const struct source *s, const struct h5md_found *elemen
                      element->dataset, shape[0] ? shape : "those of a single value", wanted);
 }
 
-/* Reads this rank's rows of an element into data (rows x in_memory values; a 2D file leaves the last value
- * unchanged). `components`: 1, or the dimension of the box if `spatial`. */
+/* Reads this rank's rows of an element into data (rows x in_memory values; of vectors a 2D file leaves the last value
+ * unchanged). */
 static bool read_element(const struct source *s, const struct h5md_found *element, enum field_type type,
                          int in_memory, void *data, struct error *error) {
     int lead = element->frames;
     uint64_t width = h5md_found_width(element);
     char wanted[96];
     snprintf(wanted, sizeof wanted, "%s[%" PRIu64 "]%s", element->frames ? "[frames]" : "", s->total,
-             in_memory > 1 ? "[2 or 3]" : "");
+             in_memory == 3  ? "[2 or 3]"
+             : in_memory > 1 ? "[4]"
+                             : "");
     bool fits = element->shape.rank == lead + 1 + (in_memory > 1) && element->shape.size[lead] == s->total &&
-                (in_memory == 1 || width == 2 || width == 3);
+                (in_memory == 1 || width == (uint64_t)in_memory || (in_memory == 3 && width == 2));
     if (!fits || (element->shape.type != H5T_FLOAT && element->shape.type != H5T_INTEGER &&
                   element->shape.type != H5T_ENUM))
         return refuse_shape(s, element, wanted, error);
@@ -157,24 +159,19 @@ static bool read_spin(const struct source *s, struct rows *rows, struct error *e
     return good;
 }
 
+/* Reads all columns that the file has; `species` stands for a material. */
 static bool read_columns(const struct source *s, struct rows *rows, struct error *error) {
-    void *position = NULL, *velocity = NULL, *radius = NULL, *mass = NULL, *id = NULL, *material = NULL,
-         *image = NULL;
-    bool good = read_column(s, "position", FIELD_DOUBLE, 3, &position, error) &&
-                read_column(s, "velocity", FIELD_DOUBLE, 3, &velocity, error) &&
-                read_column(s, "radius", FIELD_DOUBLE, 1, &radius, error) &&
-                read_column(s, "mass", FIELD_DOUBLE, 1, &mass, error) &&
-                read_column(s, "id", FIELD_INT64, 1, &id, error) &&
-                read_column(s, "material", FIELD_INT32, 1, &material, error) &&
-                read_column(s, "image", FIELD_INT32, 3, &image, error) &&
-                (material || read_column(s, "species", FIELD_INT32, 1, &material, error));
-    rows->position = position;
-    rows->velocity = velocity;
-    rows->radius = radius;
-    rows->mass = mass;
-    rows->id = id;
-    rows->material = material;
-    rows->image = image;
+    bool good = true;
+    for (int k = 0; good && k < ROWS_KINDS; k++) {
+        const struct rows_kind *kind = &rows_kinds[k];
+        void *values = NULL;
+        if (kind->name == NULL || kind->bit == ROWS_ANGULAR_VELOCITY)
+            continue;
+        good = read_column(s, kind->name, kind->type, kind->components, &values, error) &&
+               (values || kind->bit != ROWS_MATERIAL ||
+                read_column(s, "species", kind->type, kind->components, &values, error));
+        rows_set(rows, kind, values);
+    }
     return good && read_spin(s, rows, error);
 }
 
@@ -251,23 +248,6 @@ static bool read_box(const struct source *s, struct rows *rows, struct error *er
     return true;
 }
 
-static void move_row(struct rows *rows, size_t from, size_t to) {
-    memcpy(rows->position[to], rows->position[from], sizeof rows->position[0]);
-    rows->id[to] = rows->id[from];
-    if (rows->velocity)
-        memcpy(rows->velocity[to], rows->velocity[from], sizeof rows->velocity[0]);
-    if (rows->angular_velocity)
-        memcpy(rows->angular_velocity[to], rows->angular_velocity[from], sizeof rows->angular_velocity[0]);
-    if (rows->image)
-        memcpy(rows->image[to], rows->image[from], sizeof rows->image[0]);
-    if (rows->radius)
-        rows->radius[to] = rows->radius[from];
-    if (rows->mass)
-        rows->mass[to] = rows->mass[from];
-    if (rows->material)
-        rows->material[to] = rows->material[from];
-}
-
 /* Drops the rows whose id is the fill value, and counts the remaining rows on the ranks before this one. */
 static void drop_absent(const struct source *s, struct rows *rows) {
     struct h5md_found id;
@@ -278,7 +258,7 @@ static void drop_absent(const struct source *s, struct rows *rows) {
         size_t kept = 0;
         for (size_t k = 0; k < rows->count; k++)
             if (rows->id[k] != fill)
-                move_row(rows, k, kept++);
+                rows_move(rows, k, kept++);
         rows->count = kept;
     }
     int64_t total = (int64_t)rows->count;
@@ -388,6 +368,18 @@ bool h5md_read_values(const char *path, int64_t frame, const char *name, int com
         *values = (struct h5md_values){0};
     }
     return good;
+}
+
+bool h5md_has_field(const char *path, const char *name, bool *has, struct error *error) {
+    struct source s = {0};
+    char element[2 * FILE_PATH_MAX];
+    *has = false;
+    if (!h5_open(&s.h5, path, NULL, false, error))
+        return false;
+    bool good = find_group(&s, NULL, error);
+    snprintf(element, sizeof element, "%s/%s", s.group, name);
+    *has = good && h5_exists(&s.h5, element);
+    return h5_close(&s.h5, error) && good;
 }
 
 bool h5md_read_frames(const char *path, const char *group, uint64_t *frames, struct error *error) {

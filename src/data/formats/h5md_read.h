@@ -32,6 +32,9 @@ struct h5md_values {
 bool h5md_read_values(const char *path, int64_t frame, const char *name, int component,
                       struct h5md_values *values, struct error *error);
 
+/* Sets `has` if the particles (all, or the only group) have a field. One rank. */
+bool h5md_has_field(const char *path, const char *name, bool *has, struct error *error);
+
 /* Number of frames of a group (1 if nothing depends on time). One rank. */
 bool h5md_read_frames(const char *path, const char *group, uint64_t *frames, struct error *error);
 

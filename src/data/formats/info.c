@@ -49,17 +49,10 @@ bool info_kind(const char *path, enum info_kind *kind, struct error *error) {
 }
 
 static void print_columns(const struct rows *rows, FILE *file) {
-    static const struct {
-        unsigned bit;
-        const char *name;
-    } names[] = {
-        {ROWS_POSITION, "position"}, {ROWS_VELOCITY, "velocity"}, {ROWS_ANGULAR_VELOCITY, "angular_velocity"},
-        {ROWS_RADIUS, "radius"},     {ROWS_MASS, "mass"},         {ROWS_ID, "id"},
-        {ROWS_MATERIAL, "material"}, {ROWS_IMAGE, "image"}};
     fprintf(file, "  fields     ");
-    for (size_t k = 0; k < sizeof names / sizeof names[0]; k++)
-        if (rows_columns(rows) & names[k].bit)
-            fprintf(file, "%s ", names[k].name);
+    for (int k = 0; k < ROWS_KINDS; k++)
+        if (rows_columns(rows) & rows_kinds[k].bit)
+            fprintf(file, "%s ", rows_kinds[k].name);
     fprintf(file, "\n");
 }
 

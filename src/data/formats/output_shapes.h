@@ -38,4 +38,8 @@ struct h5;
 /* Writes /parameters/shapes/NUMBER: corners, and the polygons between them. Collective. */
 bool output_shapes_write(const struct h5md *h5md, const struct h5 *h5, struct error *error);
 
+/* Reads the shapes of a trajectory; none, where it has none. One rank. False, with an error, where they are damaged.
+ * output_shapes_free releases. */
+bool output_shapes_read(const char *path, struct output_shapes *shapes, struct error *error);
+
 #endif

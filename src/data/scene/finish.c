@@ -3,6 +3,7 @@
  * keys. */
 #include "data/scene/finish.h"
 #include "data/scene/scene_files.h"
+#include "data/scene/scene_shapes.h"
 #include "data/scene/scene_stage.h"
 
 #include "base/memory.h"
@@ -365,16 +366,14 @@ static bool finish_fields(struct scene *scene, struct error *error) {
 
 /* What physics derive from the scene; a shape needs the physics that has it. */
 static bool finish_physics(struct scene *scene, struct error *error) {
-    char key[80];
+    char key[80], why[256];
     for (int k = 0; k < scene->sources + scene->insertions && !scene->physics_given[PHYSICS_bodies]; k++) {
         bool source = k < scene->sources;
         int number = source ? k : k - scene->sources;
         const char *shape = source ? scene->source[number].shape : scene->insertion[number].shape;
         snprintf(key, sizeof(key), "%s[%d].shape", source ? "particles.sources" : "insertions", number);
-        if (shape[0])
-            return scene_fail(
-                scene, error, key,
-                "'%s', and the scene has no section bodies; needed: an entry of this name there", shape);
+        if (shape[0] && scene_shapes_find(NULL, shape, why, sizeof(why)) < 0)
+            return scene_fail(scene, error, key, "%s", why);
     }
 #define FINISH(name)                                                                                         \
     if (scene->physics_given[PHYSICS_##name] && !name##_finish(scene, error))                                \

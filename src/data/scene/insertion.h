@@ -72,7 +72,9 @@ struct insertion_candidate {
     double radius, density;
     double temperature; /* NAN: that of the section heat */
     int material, group;
-    int shape; /* as in struct source_form */
+    int shape; /* as in struct source_form; -1: it stays a sphere */
+    double
+        orientation[4]; /* of the body that it becomes, in the frame of the entry; all 0: the entry says it */
     bool settled, accepted;
 };
 

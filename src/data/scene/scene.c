@@ -4,6 +4,7 @@
 
 #include "base/memory.h"
 #include "fields_table.h"
+#include "data/scene/scene_shapes.h"
 #include "data/scene/tree.h"
 
 #include <stdarg.h>
@@ -19,6 +20,7 @@ void scene_free(struct scene **scene) {
     memory_free((*scene)->source);
     memory_free((*scene)->insertion);
     memory_free((*scene)->deletion);
+    scene_shapes_free(&(*scene)->shapes);
     for (int k = 0; k < (*scene)->settings; k++)
         memory_free((*scene)->setting[k]);
     memory_free((*scene)->setting);

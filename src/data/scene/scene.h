@@ -27,6 +27,7 @@
 #include "physics/grains/walls/wall.h"
 
 struct tree_node;
+struct scene_shapes; /* scene_shapes.h */
 
 struct scene {
     char file[SCENE_PATH_MAX];   /* as named in messages */
@@ -74,6 +75,7 @@ struct scene {
     /* Sections of physics (physics_table.h): options as each has them, and 1 where it is given. */
     double physics[PHYSICS_COUNT][PHYSICS_OPTIONS_MAX];
     int physics_given[PHYSICS_COUNT];
+    struct scene_shapes *shapes; /* of bodies; owned; NULL: there is no such section */
 
     int sources;
     struct source_options *source; /* owned */

@@ -72,7 +72,7 @@ static bool check_unique(const struct walk *walk, struct unique *list, const cha
     return source_sphere_fail(walk->scene, (int)second->source, &sphere, text, walk->error);
 }
 
-static void count_sphere(struct walk *walk, int source, const struct source_sphere *sphere) {
+static void count_sphere(struct walk *walk, const struct source_sphere *sphere) {
     struct scene_census *census = &walk->census;
     double r = sphere->radius;
     double speed =
@@ -84,7 +84,7 @@ static void count_sphere(struct walk *walk, int source, const struct source_sphe
     census->material[sphere->material]++;
     census->group[sphere->group]++;
     census->speed_max = fmax(census->speed_max, speed);
-    census->volume += source_form_solid(&walk->scene->source[source].form) * (4 * M_PI / 3 * r * r * r);
+    census->volume += sphere->solid * (4 * M_PI / 3 * r * r * r);
 }
 
 static void append_sphere(const struct walk *walk, int source, const struct source_sphere *sphere,
@@ -101,7 +101,7 @@ static void append_sphere(const struct walk *walk, int source, const struct sour
     double(*omega)[4] = spin_of(particles), *density = groups_densities(particles),
     *temperature = fields_numbers(particles, "temperature");
     uint8_t *material = material_numbers(particles), *group = groups_of(particles);
-    int32_t(*image)[3] = particles_images(particles), *shape = shape_numbers(particles);
+    int32_t(*image)[3] = particles_images(particles);
     if (omega)
         memcpy(omega[i], sphere->omega, sizeof(sphere->omega));
     if (material)
@@ -112,8 +112,7 @@ static void append_sphere(const struct walk *walk, int source, const struct sour
         density[i] = sphere->density;
     if (temperature)
         temperature[i] = walk->scene->source[source].temperature;
-    if (shape)
-        shape[i] = sphere->shape;
+    shape_set(particles, i, sphere->shape, sphere->variant, sphere->orientation);
     if (image)
         memcpy(image[i], sphere->image, sizeof(sphere->image));
 }
@@ -129,7 +128,7 @@ static bool take_sphere(struct walk *walk, int source, const struct source_batch
         return false;
     remember(walk, &walk->ids, checksum_row(1, &sphere->id, sizeof(sphere->id)), source, sphere);
     remember(walk, &walk->places, checksum_row(0, x, sizeof(x)), source, sphere);
-    count_sphere(walk, source, sphere);
+    count_sphere(walk, sphere);
     const struct scene_share *share = walk->share;
     bool mine = share->mine ? share->mine(share->context, x)
                             : (walk->stream / SHARE_BLOCK) % (uint64_t)share->size == (uint64_t)share->rank;
@@ -260,8 +259,9 @@ static bool make_batch(struct walk *walk, int source, struct source_batch *batch
             "%.700s: the box of this frame is sheared, and a scene begins without shear; go on from a "
             "checkpoint of the run with --resume",
             options->file);
-    return batch->rows.radius ||
-           error_set(walk->error, ERROR_USER, "%.700s: /particles has no radius", options->file);
+    if (!batch->rows.radius)
+        return error_set(walk->error, ERROR_USER, "%.700s: /particles has no radius", options->file);
+    return source_bodies_take(walk->scene, source, batch, walk->error);
 }
 
 /* The smallest radius that a source may place at random; INFINITY: no source does. */

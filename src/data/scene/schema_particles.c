@@ -124,7 +124,7 @@ static const struct schema_name lattice_names[] = {
 static const char shape_help[] =
     "name of an entry of bodies.clumps or bodies.shapes: all these particles become such bodies, whatever their material and radius; the entry's `size` says what the radii of "
     "the source are: as a rule those of spheres of the same volume. The source places the balls around the bodies, and volume_fraction counts the volume of the bodies. Left out: "
-    "materials and radii choose";
+    "materials and radii choose, or the file that tells the shapes of its particles (a trajectory of bodies, a table with a column `shape`)";
 
 static const struct schema_row source_rows[] = {
     {.key = "name", .type = SCHEMA_TEXT, .fallback = "", SOURCE(name), .help = "name for messages",
@@ -137,8 +137,9 @@ static const struct schema_row source_rows[] = {
      SOURCE(format), .help = "format of the file", .example = "table"},
     {.key = "columns", .type = SCHEMA_TEXTS, .when = "format=table",
      ARRAY_AT(struct source_options, column, column_count),
-     .help = "content of the columns: id radius diameter density x y z vx vy vz omega_x omega_y omega_z material skip; a unit may "
-             "follow, as in radius(mm), else the unit of the header counts; left out: as in the header line", .example = "[radius, x, y, z]"},
+     .help = "content of the columns: id radius diameter density x y z vx vy vz omega_x omega_y omega_z material shape qw qx qy qz skip; a unit may "
+             "follow, as in radius(mm), else the unit of the header counts; shape: name of an entry of bodies, - of a sphere; qw qx qy qz: orientation of a "
+             "body, a quaternion as bodies.shapes[].quaternion; left out: as in the header line", .example = "[radius, x, y, z]"},
     {.key = "skip_rows", .type = SCHEMA_LONG, .range = "[0, inf)", .fallback = "0", .when = "format=table",
      SOURCE(skip_rows), .help = "rows left out after the header"},
     {.key = "rows", .type = SCHEMA_LONG, .range = "[0, inf)", .fallback = "0", .when = "format=table",

@@ -9,6 +9,8 @@
 
 void source_batch_free(struct source_batch *batch) {
     rows_free(&batch->rows);
+    memory_free(batch->form);
+    batch->form = NULL;
 }
 
 const char *source_key(int source, const char *key, char *text, size_t room) {

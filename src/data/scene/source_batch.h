@@ -14,10 +14,21 @@
 /* The most spheres that a source makes: each rank draws all of them. */
 enum { SOURCE_SPHERES_MAX = 200000000 };
 
+/* What a row becomes, where its file says so. */
+struct source_row {
+    int shape;    /* number of the entry of bodies + 1 (struct source_form); -1: it stays a sphere */
+    int variant;  /* number of the shape in the entry + 1; 0: the id chooses */
+    double ball;  /* radius of the grain over that of the row */
+    double solid; /* part of the grain that is solid */
+};
+
 /* The spheres of one source. */
 struct source_batch {
-    struct rows rows;     /* position and radius always; mass 0: not given */
-    bool materials_named; /* rows.material is a number of the scene's materials, not a type of the file */
+    struct rows
+        rows; /* position and radius always; mass 0: not given; orientation: of bodies, in the frame of their entries, all 0: not
+                         given */
+    bool materials_named;    /* rows.material is a number of the scene's materials, not a type of the file */
+    struct source_row *form; /* of each row; NULL: the source says it of all */
 };
 
 /* Frees the arrays of a batch. */

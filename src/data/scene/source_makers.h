@@ -32,6 +32,16 @@ bool scatter_make(const struct scene *scene, const struct scene_share *share, st
 /* Reads the table of a source of kind SOURCE_FILE into an empty batch. Fails with file, line, column. */
 bool table_read(const struct scene *scene, int source, struct source_batch *batch, struct error *error);
 
+/* Sets `names` if the table has a column of shapes. */
+bool table_names_shapes(const struct scene *scene, int source, bool *names, struct error *error);
+
+/* Bodies of files. */
+
+/* After an H5MD file has been read: fills batch->form and the orientations, and takes out the rows of members, if the file has
+ * bodies. Fails (user) where the scene lacks their shapes. */
+bool source_bodies_take(const struct scene *scene, int source, struct source_batch *batch,
+                        struct error *error);
+
 /* Ids of the particles of a scene. An id that a file or the scene names stands. The particles without one are
  * numbered from 1 on, in the order of the sources; the numbers leave out all ids that are named. So the ids
  * depend on the scene alone, and a new id clashes with no other. */

@@ -43,10 +43,13 @@ static __attribute__((format(printf, 2, 3))) bool fail(const struct subject *at,
 struct source_sphere source_sphere_of(const struct source_options *options, const struct source_batch *batch,
                                       size_t k) {
     const struct rows *rows = &batch->rows;
+    const struct source_row *form = batch->form ? &batch->form[k] : NULL;
     struct source_sphere sphere = {.radius = rows->radius[k],
                                    .material = rows->material ? rows->material[k] : 0,
                                    .line = rows->line ? rows->line[k] : 0,
-                                   .shape = options->form.shape};
+                                   .shape = form ? form->shape : options->form.shape,
+                                   .variant = form ? form->variant : 0,
+                                   .solid = form ? form->solid : source_form_solid(&options->form)};
     bool file = options->kind == SOURCE_FILE;
     if (rows->mass && rows->mass[k] > 0)
         sphere.density = rows->mass[k] / particles_sphere_mass(sphere.radius, 1);
@@ -61,7 +64,9 @@ struct source_sphere source_sphere_of(const struct source_options *options, cons
         sphere.radius *= options->scale;
     sphere.given = sphere.radius;
     if (file || options->kind == SOURCE_SINGLE)
-        sphere.radius *= source_form_ball(&options->form);
+        sphere.radius *= form ? form->ball : source_form_ball(&options->form);
+    if (rows->orientation && sphere.shape > 0)
+        memcpy(sphere.orientation, rows->orientation[k], sizeof sphere.orientation);
     return sphere;
 }
 

@@ -13,8 +13,11 @@ struct source_sphere {
     double given;           /* radius by the source: of a body not that of the ball around it */
     int material, group;    /* material -1: as the source says */
     int32_t image[3];
-    int shape; /* as in struct source_form */
-    long line; /* in the file; for generators the number within the source */
+    int shape, variant; /* as in struct source_row; shape 0: material and radius choose */
+    double
+        orientation[4]; /* of the body that it becomes, in the frame of the entry; all 0: the entry says it */
+    double solid;       /* part of the sphere that is solid */
+    long line;          /* in the file; for generators the number within the source */
 };
 
 /* Row `k` of a batch as a sphere in the user's coordinates; no group yet, the material as the row says. */

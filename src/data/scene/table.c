@@ -4,6 +4,7 @@
  * which has no number in it; units of the header hold where the scene gives none. A row with more or fewer
  * numbers than there are columns is refused: it is not a row of this list. */
 #include "data/scene/source_makers.h"
+#include "data/scene/scene_shapes.h"
 #include "data/scene/scene_text.h"
 
 #include "base/memory.h"
@@ -22,6 +23,7 @@ enum column {
     COLUMN_DIAMETER,
     COLUMN_DENSITY,
     COLUMN_MATERIAL,
+    COLUMN_SHAPE,
     COLUMN_X,
     COLUMN_Y,
     COLUMN_Z,
@@ -31,6 +33,10 @@ enum column {
     COLUMN_WX,
     COLUMN_WY,
     COLUMN_WZ,
+    COLUMN_QW,
+    COLUMN_QX,
+    COLUMN_QY,
+    COLUMN_QZ,
     COLUMNS
 };
 
@@ -44,6 +50,7 @@ static const struct {
     [COLUMN_DIAMETER] = {"diameter d", "m"},
     [COLUMN_DENSITY] = {"density rho", "kg/m3"},
     [COLUMN_MATERIAL] = {"material type", ""},
+    [COLUMN_SHAPE] = {"shape", ""},
     [COLUMN_X] = {"x posx pos_x position_x", "m"},
     [COLUMN_Y] = {"y posy pos_y position_y", "m"},
     [COLUMN_Z] = {"z posz pos_z position_z", "m"},
@@ -53,6 +60,10 @@ static const struct {
     [COLUMN_WX] = {"omega_x omegax wx angular_velocity_x", "rad/s"},
     [COLUMN_WY] = {"omega_y omegay wy angular_velocity_y", "rad/s"},
     [COLUMN_WZ] = {"omega_z omegaz wz angular_velocity_z", "rad/s"},
+    [COLUMN_QW] = {"qw quatw quaternion_w", ""},
+    [COLUMN_QX] = {"qx quati quatx quaternion_x", ""},
+    [COLUMN_QY] = {"qy quatj quaty quaternion_y", ""},
+    [COLUMN_QZ] = {"qz quatk quatz quaternion_z", ""},
 };
 
 struct table {
@@ -123,7 +134,7 @@ static const char unit_of_nothing[] = "column '%s' has a unit, but the scene is 
 
 static bool add_column(struct table *table, const char *word) {
     static const char known[] =
-        "id radius diameter density material x y z vx vy vz omega_x omega_y omega_z skip";
+        "id radius diameter density material shape x y z vx vy vz omega_x omega_y omega_z qw qx qy qz skip";
     enum column column;
     struct units_scale scale;
     int found = parse_column(word, &column, &scale);
@@ -198,6 +209,26 @@ static bool units_from(struct table *table, const char *header) {
     return true;
 }
 
+/* Columns of bodies go with bodies, and with each other. */
+static bool check_bodies(const struct table *table) {
+    const bool shapes = has_column(table, COLUMN_SHAPE), named = table->source->shape[0] != '\0';
+    int turns = 0;
+    for (int c = COLUMN_QW; c <= COLUMN_QZ; c++)
+        turns += has_column(table, (enum column)c);
+    if (shapes && table->scene->shapes == NULL)
+        return fail(table, "%s", "there is a column of shapes, and the scene has no section bodies");
+    if (shapes && named)
+        return fail(
+            table, "%s",
+            "there is a column of shapes, and the source names one (shape), too; allowed: one of both");
+    if (turns != 0 && turns != 4)
+        return fail(table, "%s", "an orientation has four columns: qw qx qy qz");
+    return turns == 0 || shapes || named ||
+           fail(table, "%s",
+                "there are orientations, and nothing says of what; needed: a column of shapes, or `shape` of "
+                "the source");
+}
+
 /* Finds the columns: from the scene, a header line, or a comment of column names just before the data. The
  * text is left at the first row. */
 static bool find_columns(struct table *table) {
@@ -239,6 +270,22 @@ static bool find_columns(struct table *table) {
     for (int d = 0; d < table->scene->box.dimension; d++)
         if (!has_column(table, (enum column)(COLUMN_X + d)))
             return fail(table, "no column '%s'", columns[COLUMN_X + d].names);
+    return check_bodies(table);
+}
+
+/* Stores the shape that a word names; "-": the row stays a sphere. */
+static bool store_shape(const struct table *table, struct source_batch *batch, size_t row, const char *word) {
+    const struct scene_shapes *shapes = table->scene->shapes;
+    char why[400];
+    if (strcmp(word, "-") == 0) {
+        batch->form[row] = (struct source_row){.shape = -1, .ball = 1, .solid = 1};
+        return true;
+    }
+    const int entry = scene_shapes_find(shapes, word, why, sizeof(why));
+    if (entry < 0)
+        return fail(table, "%s (or - for a sphere)", why);
+    const struct source_form *form = &shapes->entry[entry].form;
+    batch->form[row] = (struct source_row){.shape = form->shape, .ball = form->ball, .solid = form->solid};
     return true;
 }
 
@@ -250,6 +297,8 @@ static bool store(const struct table *table, struct source_batch *batch, size_t 
     enum column column = table->column[k];
     if (column == COLUMN_SKIP)
         return true;
+    if (column == COLUMN_SHAPE)
+        return store_shape(table, batch, row, word);
     int material = *end && column == COLUMN_MATERIAL ? scene_material(table->scene, word) : -1;
     char what[200];
     snprintf(what, sizeof(what), "column %d (%.*s): '%.60s'", k + 1, (int)strcspn(columns[column].names, " "),
@@ -282,8 +331,10 @@ static bool store(const struct table *table, struct source_batch *batch, size_t 
         batch->rows.position[row][column - COLUMN_X] = value;
     else if (column <= COLUMN_VZ)
         batch->rows.velocity[row][column - COLUMN_VX] = value;
-    else
+    else if (column <= COLUMN_WZ)
         batch->rows.angular_velocity[row][column - COLUMN_WX] = value;
+    else
+        batch->rows.orientation[row][column - COLUMN_QW] = value;
     return true;
 }
 
@@ -310,7 +361,12 @@ static bool read_row(const struct table *table, struct source_batch *batch, size
     if (has_column(table, COLUMN_DENSITY))
         batch->rows.mass[row] = particles_sphere_mass(*radius, batch->rows.mass[row]);
     batch->rows.line[row] = (uint32_t)table->lines.number;
-    return true;
+    const bool turns = batch->rows.orientation && (!batch->form || batch->form[row].shape > 0);
+    return !turns || scene_shapes_may_turn(batch->rows.orientation[row], table->scene->box.dimension) ||
+           fail(table, "%s",
+                table->scene->box.dimension == 2
+                    ? "in two dimensions bodies turn about z alone: qx and qy must be 0, and qw or qz not"
+                    : "the orientation is no quaternion: not all of qw qx qy qz may be 0");
 }
 
 /* Rows of data from here on, at most as many as the scene wants, and the line of the last. */
@@ -331,7 +387,8 @@ static unsigned wanted_columns(const struct table *table) {
         wanted |= column == COLUMN_MATERIAL ? ROWS_MATERIAL : 0;
         wanted |= column == COLUMN_DENSITY ? ROWS_MASS : 0;
         wanted |= column >= COLUMN_VX && column <= COLUMN_VZ ? ROWS_VELOCITY : 0;
-        wanted |= column >= COLUMN_WX ? ROWS_ANGULAR_VELOCITY : 0;
+        wanted |= column >= COLUMN_WX && column <= COLUMN_WZ ? ROWS_ANGULAR_VELOCITY : 0;
+        wanted |= column >= COLUMN_QW ? ROWS_ORIENTATION : 0;
     }
     return wanted;
 }
@@ -350,20 +407,41 @@ static bool read_rows(struct table *table, struct source_batch *batch) {
         return fail(table, "%s", count ? what : "the file holds no particles");
     }
     rows_create(&batch->rows, count, wanted_columns(table));
+    if (has_column(table, COLUMN_SHAPE))
+        batch->form = memory_allocate_zero(count, sizeof(*batch->form), "bodies of a file");
     for (size_t row = 0; row < count; row++)
         if (!table_lines_next(&table->lines, false) || !read_row(table, batch, row, table->lines.line))
             return false;
     return true;
 }
 
+/* Opens the text of a table, up to its columns. */
+static bool table_open(struct table *table, char **text, struct error *error) {
+    if (!scene_read_text(table->source->file, text, NULL, error))
+        return false;
+    table_lines_open(&table->lines, *text);
+    return find_columns(table);
+}
+
+static void table_close(struct table *table, char *text) {
+    if (text)
+        table_lines_close(&table->lines);
+    memory_free(text);
+}
+
 bool table_read(const struct scene *scene, int source, struct source_batch *batch, struct error *error) {
     struct table table = {.scene = scene, .source = &scene->source[source], .number = source, .error = error};
-    char *text;
-    if (!scene_read_text(table.source->file, &text, NULL, error))
-        return false;
-    table_lines_open(&table.lines, text);
-    bool good = find_columns(&table) && read_rows(&table, batch);
-    table_lines_close(&table.lines);
-    memory_free(text);
+    char *text = NULL;
+    bool good = table_open(&table, &text, error) && read_rows(&table, batch);
+    table_close(&table, text);
+    return good;
+}
+
+bool table_names_shapes(const struct scene *scene, int source, bool *names, struct error *error) {
+    struct table table = {.scene = scene, .source = &scene->source[source], .number = source, .error = error};
+    char *text = NULL;
+    bool good = table_open(&table, &text, error);
+    *names = good && has_column(&table, COLUMN_SHAPE);
+    table_close(&table, text);
     return good;
 }

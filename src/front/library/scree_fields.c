@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* The particles of a simulation in another program: fields, box, particles that come and go. Read scree.h first. */
 #include "front/library/scree_parts.h"
+#include "base/memory.h"
+#include "data/scene/scene_shapes.h"
 #include "engine/sources.h"
 #include "kernel/particles/fields.h"
 #include <math.h>
@@ -57,6 +59,27 @@ static double density_of(const struct scree_simulation *simulation, const struct
     return particles_density(&simulation->state->box, p->radius, given);
 }
 
+/* The form of what a particle becomes. False, with an error, where no entry has the name, or it cannot be turned so. */
+static bool form_of(const struct scree_simulation *simulation, const struct scree_particle *p, size_t k,
+                    struct source_form *form, struct error *error) {
+    const struct scene_shapes *shapes = simulation->scene->shapes;
+    const double *q = p->orientation;
+    const bool turned = q[0] != 0 || q[1] != 0 || q[2] != 0 || q[3] != 0;
+    char why[1200];
+    *form = (struct source_form){.shape = p->shape ? -1 : 0, .ball = 1};
+    if (turned && !scene_shapes_may_turn(q, simulation->state->box.dimension))
+        return error_set(
+            error, ERROR_USER,
+            "new particle %zu: its orientation must be finite, and in two dimensions about z alone", k);
+    if (p->shape == NULL || p->shape[0] == '\0')
+        return true;
+    const int entry = scene_shapes_find(shapes, p->shape, why, sizeof why);
+    if (entry < 0)
+        return error_set(error, ERROR_USER, "new particle %zu: shape: %s", k, why);
+    *form = shapes->entry[entry].form;
+    return true;
+}
+
 /* Refuses a particle that cannot be. */
 static bool particle_suits(const struct scree_simulation *simulation, const struct scree_particle *p,
                            size_t k, struct error *error) {
@@ -89,11 +112,40 @@ static bool particle_suits(const struct scree_simulation *simulation, const stru
 }
 
 /* Asks the physics whether a particle may come. */
-static bool is_admitted(const struct scree_simulation *simulation, const struct scree_particle *p,
+static bool is_admitted(const struct scree_simulation *simulation, const struct insertion_candidate *given,
                         struct error *error) {
-    const struct physics_grain grain = {
-        .material = p->material, .radius = p->radius, .density = density_of(simulation, p), .variant = -1};
+    const struct physics_grain grain = {.material = given->material,
+                                        .radius = given->radius,
+                                        .density = given->density,
+                                        .variant = -1,
+                                        .shape = given->shape};
     return physics_admit(&simulation->state->physics, &grain, error);
+}
+
+/* Makes a candidate of particle k. False, with an error, where it cannot be. */
+static bool candidate_make(const struct scree_simulation *simulation, const struct scree_particle *p,
+                           size_t k, struct insertion_candidate *given, struct error *error) {
+    const struct box *box = &simulation->state->box;
+    struct source_form form;
+    if (!particle_suits(simulation, p, k, error) || !form_of(simulation, p, k, &form, error))
+        return false;
+    *given = (struct insertion_candidate){.radius = p->radius * form.ball,
+                                          .density = density_of(simulation, p),
+                                          .temperature = NAN,
+                                          .material = p->material,
+                                          .group = p->group,
+                                          .shape = form.shape};
+    memcpy(given->orientation, p->orientation, sizeof given->orientation);
+    for (int d = 0; d < 3; d++) {
+        given->x[d] = p->position[d] - box->origin[d];
+        given->v[d] = p->velocity[d];
+        given->omega[d] = p->angular_velocity[d];
+    }
+    if (box->dimension == 2) { /* in the plane of all */
+        given->x[2] = box->edge[2] / 2;
+        given->v[2] = given->omega[0] = given->omega[1] = 0;
+    }
+    return is_admitted(simulation, given, error);
 }
 
 bool scree_add(struct scree_simulation *simulation, const struct scree_particle *particles, size_t count,
@@ -103,30 +155,14 @@ bool scree_add(struct scree_simulation *simulation, const struct scree_particle 
         error_set(&own, ERROR_USER, "new particles: there is no simulation, or no particle");
     if (own.kind != ERROR_NONE)
         return scree_parts_tell(&own, error);
-    const struct box *box = &simulation->state->box;
-    for (size_t k = 0; k < count; k++)
-        if (!particle_suits(simulation, &particles[k], k, &own) ||
-            !is_admitted(simulation, &particles[k], &own))
-            return scree_parts_tell(&own, error);
-    for (size_t k = 0; k < count; k++) {
-        const struct scree_particle *p = &particles[k];
-        struct insertion_candidate given = {.radius = p->radius,
-                                            .density = density_of(simulation, p),
-                                            .temperature = NAN,
-                                            .material = p->material,
-                                            .group = p->group};
-        for (int d = 0; d < 3; d++) {
-            given.x[d] = p->position[d] - box->origin[d];
-            given.v[d] = p->velocity[d];
-            given.omega[d] = p->angular_velocity[d];
-        }
-        if (box->dimension == 2) { /* in the plane of all */
-            given.x[2] = box->edge[2] / 2;
-            given.v[2] = given.omega[0] = given.omega[1] = 0;
-        }
-        sources_give(&simulation->state->sources.given, &given);
-    }
-    simulation->changed = simulation->changed || count > 0;
+    struct insertion_candidate *given = memory_allocate_zero(count, sizeof *given, "new particles");
+    bool good = true;
+    for (size_t k = 0; k < count && good; k++)
+        good = candidate_make(simulation, &particles[k], k, &given[k], &own);
+    for (size_t k = 0; k < count && good; k++)
+        sources_give(&simulation->state->sources.given, &given[k]);
+    memory_free(given);
+    simulation->changed = simulation->changed || (good && count > 0);
     return scree_parts_tell(&own, error);
 }
 

@@ -10,29 +10,28 @@
 #include "physics/bodies/bodies.h"
 #include <stdio.h>
 
-/* The rocks of a frame (physics/bodies/rock.h), as what POV-Ray draws of them: faces, and edges and corners with their rounding. */
+/* The shapes of the rocks of a run (physics/bodies/rock.h), as what POV-Ray draws of them: faces, and edges and corners with their rounding. */
 
 struct facets {
     int shapes;
-    struct clump *shape;
-    size_t rows;
-    int *number;       /* of the shape of each row; -1: a sphere */
-    double (*turn)[9]; /* rotation from the frame of the shape to space */
+    struct clump *shape; /* by number; those of clumps are empty */
 };
 
-/* Finds the rocks among the rows of a frame. None where the scene has none; and, with a user's error, where the file does not tell their
- * orientations. facets_free releases. */
-bool facets_make(struct facets *facets, const struct source *source, int64_t frame, const struct rows *rows,
-                 struct error *error);
+/* Makes the shapes once, for all frames. None where the scene has none, or is NULL; and, with a user's error, where one cannot be
+ * made. facets_free releases. */
+bool facets_make(struct facets *facets, const struct scene *scene, struct error *error);
 void facets_free(struct facets *facets);
 
-/* True of the rows that are bodies: their members are drawn, and not they. memory_free releases. */
-bool *facets_bodies(const struct source *source, int64_t frame, const struct rows *rows);
+/* True if the rows of a frame tell the orientations of rocks, or there are none; else a user's error. */
+bool facets_told(const struct facets *facets, const char *path, const struct rows *rows, struct error *error);
+
+/* The number of the shape of row k; -1: it is no rock. */
+int facets_shape(const struct facets *facets, const struct rows *rows, size_t k);
 
 /* Declares the shapes: R0, R1, ... */
 void facets_declare(FILE *out, const struct facets *facets);
 
-/* Writes row k, without its texture; false: it is a sphere. */
+/* Writes row k, without its texture; false: it is a sphere, or drawn as one. */
 bool facets_write(FILE *out, const struct facets *facets, const struct camera *camera,
                   const struct rows *rows, size_t k);
 

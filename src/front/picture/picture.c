@@ -34,6 +34,7 @@ struct drawing {
     struct picture_source_field field;
     struct camera camera;
     struct paint paint;
+    struct facets facets; /* of all frames */
     struct cut cut[CUTS_MAX];
     int cuts;
     bool grey[LAW_MATERIALS_MAX]; /* by material */
@@ -218,6 +219,11 @@ static bool choose_paint(struct drawing *d, struct error *error) {
     return paint_bands(paint, d->options->palette, bands, error);
 }
 
+/* True of a body: its members are drawn, and not it. */
+static bool is_body(const struct rows *rows, size_t k) {
+    return rows->body_mass && rows->body_mass[k] > 0;
+}
+
 static bool write_scene(const struct drawing *d, const char *path, int64_t frame, struct error *error) {
     struct rows rows;
     struct shapes shapes = {0};
@@ -230,9 +236,8 @@ static bool write_scene(const struct drawing *d, const char *path, int64_t frame
         return false;
     }
     int *band = memory_allocate(rows.count, sizeof *band, "colours");
-    bool *body = facets_bodies(&d->source, frame, &rows);
     for (size_t k = 0; k < rows.count; k++)
-        band[k] = body[k]                       ? PAINT_GREY - 1
+        band[k] = is_body(&rows, k)             ? PAINT_GREY - 1
                   : is_grey(d, &rows, k)        ? PAINT_GREY
                   : is_cut(d, rows.position[k]) ? PAINT_GREY - 1
                                                 : paint_band(&d->paint, value[k]);
@@ -246,15 +251,14 @@ static bool write_scene(const struct drawing *d, const char *path, int64_t frame
         upper[k] = d->camera.upper[k] + border;
     }
     shapes_cut(&shapes, lower, upper);
-    struct facets facets;
     struct error unknown = {0};
-    if (!facets_make(&facets, &d->source, frame, &rows, &unknown))
+    if (!facets_told(&d->facets, d->source.path, &rows, &unknown))
         fprintf(stderr, "scree: rocks are drawn as balls: %s\n", unknown.text);
     struct paint_scene scene = {.camera = &d->camera,
                                 .paint = &d->paint,
                                 .rows = &rows,
                                 .band = band,
-                                .facets = &facets,
+                                .facets = &d->facets,
                                 .shapes = walls ? &shapes : NULL,
                                 .soft = !d->film};
     bool good = error->kind == ERROR_NONE && file_new_open(&file, path, error);
@@ -262,8 +266,6 @@ static bool write_scene(const struct drawing *d, const char *path, int64_t frame
         paint_write(file.stream, &scene);
         good = file_new_close(&file, error);
     }
-    memory_free(body);
-    facets_free(&facets);
     shapes_free(&shapes);
     memory_free(band);
     memory_free(value);
@@ -381,8 +383,12 @@ bool picture_draw(const struct comm *comm, const char *from, const char *out,
     if (!drawing.film && !ends_in(out, ".png") && !ends_in(out, ".pov"))
         return error_set(error, ERROR_USER, "command line: -o %s: the name must end in .png, .mp4 or .pov",
                          out);
-    bool good = picture_source_open(&drawing.source, comm, from, error) && prepare(&drawing, error) &&
-                make(&drawing, error);
+    struct error unknown = {0};
+    bool good = picture_source_open(&drawing.source, comm, from, error) && prepare(&drawing, error);
+    if (good && !facets_make(&drawing.facets, drawing.source.scene, &unknown))
+        fprintf(stderr, "scree: rocks are drawn as balls: %s\n", unknown.text);
+    good = good && make(&drawing, error);
+    facets_free(&drawing.facets);
     picture_source_close(&drawing.source);
     return good;
 }

@@ -8,14 +8,6 @@
 #include "kernel/particles/kinds.h"
 #include "physics_table.h"
 
-static const struct field orientation = {
-    .name = "orientation",
-    .type = FIELD_DOUBLE,
-    .components = 4,
-    .use = FIELD_TRAVELS | FIELD_OUTPUT,
-    .kinds = 1u << KIND_BODY,
-    .needed_for = "bodies",
-    .help = "unit quaternion w x y z from the principal axes of the body to space"};
 static const struct field velocity = {.name = "body_velocity",
                                       .type = FIELD_DOUBLE,
                                       .components = 3,
@@ -53,7 +45,6 @@ void bodies_fields(struct particles *particles) {
     spin_register(particles);
     carried_register(particles);
     shape_register(particles);
-    fields_register(particles, &orientation);
     fields_register(particles, &velocity);
     fields_register(particles, &spin);
     fields_register(particles, &mass);
@@ -61,7 +52,7 @@ void bodies_fields(struct particles *particles) {
 }
 
 double (*bodies_orientation(const struct particles *particles))[4] {
-    return fields_values(particles, &orientation);
+    return shape_orientations(particles);
 }
 
 double (*bodies_velocity(const struct particles *particles))[3] {

@@ -24,8 +24,8 @@ static bool entry_chooses(const struct clump_entry *entry, int material) {
 }
 
 int place_entry(const struct bodies_options *options, const struct physics_grain *grain) {
-    if (grain->shape > 0)
-        return grain->shape - 1;
+    if (grain->shape != 0)
+        return grain->shape > 0 ? grain->shape - 1 : -1;
     for (int k = 0; k < bodies_entries(options); k++) {
         const struct clump_entry *entry = bodies_entry(options, k);
         if (entry_chooses(entry, grain->material) && grain->radius > entry->radius_above &&
@@ -71,12 +71,12 @@ static int shape_of(const struct bodies *bodies, uint64_t seed, const struct phy
 /* The shape that particle i becomes, -1: none. */
 static int shape_at(const struct bodies *bodies, const struct physics_context *context, size_t i) {
     const struct particles *p = context->particles;
-    const int32_t *shape = shape_numbers(p);
+    const int32_t(*shape)[2] = (const int32_t(*)[2])shape_numbers(p);
     const struct physics_grain grain = {.material = material_of(material_numbers(p), i),
                                         .radius = p->state[i].radius,
                                         .id = p->id[i],
-                                        .variant = -1,
-                                        .shape = shape ? shape[i] : 0};
+                                        .variant = shape[i][1] - 1,
+                                        .shape = shape[i][0]};
     return kinds_of(p)[i] == KIND_GRAIN ? shape_of(bodies, context->scene->seed, &grain) : -1;
 }
 
@@ -96,12 +96,18 @@ static void orientation_draw(const struct scene *scene, int64_t id, double q[4])
     }
 }
 
+/* True if a grain brings its orientation. */
+static bool turn_given(const double q[4]) {
+    return q[0] != 0 || q[1] != 0 || q[2] != 0 || q[3] != 0;
+}
+
+/* Replaces the orientation that a grain brings, or that the entry gives, by that of the body. */
 static void orientation_choose(const struct physics_context *context, const struct clump_entry *options,
                                const struct clump *clump, int64_t id, double q[4]) {
     double norm = 0;
-    if (options->orientation == CLUMP_RANDOM)
+    if (!turn_given(q) && options->orientation == CLUMP_RANDOM)
         orientation_draw(context->scene, id, q);
-    else
+    else if (!turn_given(q))
         memcpy(q, options->quaternion, 4 * sizeof *q);
     rotor_product(q, clump->axes, q);
     for (int k = 0; k < 4; k++)
@@ -132,12 +138,13 @@ static void body_make(struct bodies *bodies, const struct physics_context *conte
     double scale = state->radius / clump->extent;
     bodies_mass(p)[i] = clump_mass(clump, scale, density);
     bodies_part(p)[i] = number;
+    const bool brought = turn_given(q); /* such a grain has all of its angular velocity */
     orientation_choose(context, bodies->entry[number], clump, p->id[i], q);
     if (motion && motion->prescribed) {
         memcpy(state->v, motion->velocity, sizeof state->v);
         memcpy(omega, motion->omega, sizeof motion->omega);
     } else {
-        for (int d = 0; d < 3; d++)
+        for (int d = 0; d < 3 && !brought; d++)
             omega[d] += bodies->entry[number]->angular_velocity[d];
     }
     memcpy(bodies_velocity(p)[i], state->v, sizeof state->v);

@@ -14,6 +14,14 @@ from ._scene import Scene
 _CHUNK = 0.2  # seconds between two looks at the keyboard
 
 
+def _names(shape, n):
+    """Names of shapes for C, one for each of n particles: of one for all, or a list."""
+    each = [shape] * n if shape is None or isinstance(shape, str) else list(shape)
+    if len(each) != n or not all(one is None or isinstance(one, str) for one in each):
+        raise Error(f"shape is a name, None, or a list of {n} of them, not {shape!r}")
+    return [ffi.NULL if one is None else ffi.new("char[]", one.encode()) for one in each]
+
+
 class Simulation:
     """A scene that runs.
 
@@ -252,9 +260,22 @@ class Simulation:
         """Tells the simulation that positions or radii were written: the next step searches all pairs again."""
         lib.scree_changed(self._open())
 
-    def add(self, position, radius, velocity=(0, 0, 0), angular_velocity=(0, 0, 0), density=0, material=0, group=0):
+    def add(
+        self,
+        position,
+        radius,
+        velocity=(0, 0, 0),
+        angular_velocity=(0, 0, 0),
+        density=0,
+        material=0,
+        group=0,
+        shape=None,
+        orientation=(0, 0, 0, 0),
+    ):
         """Adds particles in the next step: `position` (n, 3) in the coordinates of the scene; the others have one value
-        for all or one for each. `density` 0: that of the material; material and group are numbers in the scene."""
+        for all or one for each. `density` 0: that of the material; material and group are numbers in the scene.
+        `shape`: the name of an entry of bodies, or a list of one for each; "": spheres; None: material and radius choose.
+        `orientation`: quaternions w x y z of such bodies, of any length; all 0: as the entry says."""
         x = np.asarray(position, float)
         x = x.reshape(-1, 3) if x.size == 0 or x.shape == (3,) else x
         if x.ndim != 2 or x.shape[1] != 3:
@@ -264,11 +285,13 @@ class Simulation:
         columns = [spread(radius, "radius", (n,), float), spread(density, "density", (n,), float)]
         columns += [spread(material, "material", (n,), int), spread(group, "group", (n,), int)]
         v, w = spread(velocity, "velocity", (n, 3), float), spread(angular_velocity, "angular_velocity", (n, 3), float)
+        q, names = spread(orientation, "orientation", (n, 4), float), _names(shape, n)
         for k in range(n):
             new[k].position, new[k].velocity, new[k].angular_velocity = list(x[k]), list(v[k]), list(w[k])
             new[k].radius, new[k].density = float(columns[0][k]), float(columns[1][k])
             new[k].material = whole(columns[2][k], "material", 0, (1 << 31) - 1)
             new[k].group = whole(columns[3][k], "group", 0, (1 << 31) - 1)
+            new[k].shape, new[k].orientation = names[k], list(q[k])
         error = ffi.new("struct scree_error *")
         check(lib.scree_add(self._open(), new, n, error), error)
 
