@@ -78,6 +78,48 @@ rolls() {
 }
 check 'a cylinder rolls down a slope' rolls
 
+# Its ends are flat rims: tilted, it bounces on them without loss
+rims() {
+    rm -rf rims && run_scene 1 plate.yaml rims --set 'walls[plate]={name: plate, shape: cylinder, point: [2, 2, 1.2], axis: [0.4, 1, 0.5], radius: 0.3, length: 1, inside: false, free: {mass: 4, angular_velocity: [1, 2, 0.5]}}' \
+        --set wall_contacts='{pairs: [{walls: [floor, plate]}]}' --set step.count=40000 --set step.dt=5e-5 --set observables.every=40000 --set contact.tangential=none --set 'material_pairs=[{k_n: 2e4, restitution: 1}]' && balance 0.02 rims
+}
+check 'an elastic cylinder that falls tilted keeps its energy' rims
+
+# A prism of six sides as a mesh: six corners below
+awk 'BEGIN { pi = atan2(0, -1); for (k = 0; k < 6; k++) { a = pi * k / 3; b = pi * ((k + 1) % 6) / 3; x = cos(a); y = sin(a); u = cos(b); v = sin(b)
+    printf "0 0 0 %.9g %.9g 0 %.9g %.9g 0\n0 0 1 %.9g %.9g 1 %.9g %.9g 1\n%.9g %.9g 0 %.9g %.9g 0 %.9g %.9g 1\n%.9g %.9g 0 %.9g %.9g 1 %.9g %.9g 1\n", u, v, x, y, x, y, u, v, x, y, u, v, u, v, x, y, u, v, x, y } }' >prism.txt
+prism() {
+    rm -rf prism && run_scene 1 plate.yaml prism --set 'walls[plate]={name: plate, shape: mesh, format: table, file: prism.txt, scale: 0.5, offset: [2, 2, 0.02], free: {mass: 4}}' || return 1
+    within "$(column prism plate_z)" "$(awk 'BEGIN { printf "%.9g", -0.02 - 40 / (2e4 * 6 ^ (1 / 3)) }')" 2e-6
+}
+check 'a prism of six corners, a mesh, at rest' prism
+
+# Two blocks in empty space, one at the side of the other across a periodic side: momentum, and the same as in the middle
+cat >pair.yaml <<'YAML'
+units: none
+box: {lower: [0, 0, 0], upper: [6, 4, 4], periodic: [true, true, true]}
+step: {count: 3000, dt: 2e-4}
+contact: {law: hooke}
+materials: [{name: a, density: 1}]
+material_pairs: [{k_n: 2e4, restitution: 0.6, friction: 0.4}]
+walls:
+  - {name: one, shape: box, lower: [1, 1, 1], upper: [2, 2, 2], free: {mass: 2, velocity: [2, 0, 0], angular_velocity: [0.3, 0.2, 0.4]}}
+  - {name: two, shape: box, lower: [2.2, 1.4, 1.3], upper: [3, 2.2, 2.5], free: {mass: 3}}
+wall_contacts: {rounding: 0.05, pairs: [{walls: [one, two]}]}
+groups: [{name: held, motion: frozen}]
+particles: {from: single, position: [4.5, 3.5, 3.5], radius: 0.1, group: held}
+observables: {every: 3000, list: [{name: wall_velocity}, {name: wall_angular_velocity}, {name: wall_offset}, {name: wall_rotation}]}
+output: {checkpoint: {at_end: false}}
+YAML
+meets() {
+    rm -rf middle side && run_scene 1 pair.yaml middle &&
+        run_scene 2 pair.yaml side --set 'walls[one].lower=[4.4, 1, 1]' --set 'walls[one].upper=[5.4, 2, 2]' --set 'walls[two].lower=[-0.4, 1.4, 1.3]' --set 'walls[two].upper=[0.4, 2.2, 2.5]' && rows_close middle side 1e-8 || return 1
+    echo "  velocities $(column middle one_vx) and $(column middle two_vx)"
+    [ "$(column middle two_vx)" != 0 ] || return 1
+    for d in x y z; do within "$(awk -v a="$(column middle one_v$d)" -v b="$(column middle two_v$d)" 'BEGIN { printf "%.15g", 2 * a + 3 * b }')" "$([ $d = x ] && echo 4 || echo 0)" 1e-11 || return 1; done
+}
+check 'two free blocks meet, across a periodic side, too: momentum' meets
+
 # A sleeper lies across a rail on four pairs of edges
 crosses() {
     rm -rf cross && run_scene 1 plate.yaml cross --set 'walls=[{name: rail, shape: box, lower: [1.9, 0.5, 0.5], upper: [2.1, 3.5, 0.7]}, {name: plate, shape: box, lower: [1, 1.9, 0.71], upper: [3, 2.1, 0.91], free: {mass: 4}}]' \
