@@ -34,7 +34,8 @@ nobase_dist_pkgdata_DATA = \
 	%D%/dosta2024/picture.gp %D%/dosta2024/row.awk %D%/dosta2024/rows.tsv %D%/dosta2024/seeds.awk \
 	%D%/dosta2024/silo.awk %D%/dosta2024/silo.yaml %D%/drum/README.md %D%/drum/compare.awk %D%/drum/lammps-1.csv \
 	%D%/drum/lammps-2.csv %D%/drum/lammps/data.awk %D%/drum/lammps/in.drum %D%/drum/particles.txt.gz \
-	%D%/drum/scene.yaml %D%/drum/walls.txt %D%/drum/zones.gp %D%/dumbbells/README.md %D%/dumbbells/members.awk \
+	%D%/drum/scene.yaml %D%/drum/walls.txt %D%/drum/zones.gp %D%/drum_on_rollers/README.md \
+	%D%/drum_on_rollers/scene.yaml %D%/dumbbells/README.md %D%/dumbbells/members.awk \
 	%D%/dumbbells/picture.gp %D%/dumbbells/scene.yaml %D%/electroosmosis/README.md %D%/electroosmosis/picture.gp \
 	%D%/electroosmosis/scene.yaml %D%/ergun/README.md %D%/ergun/scene.yaml %D%/ergun/section.awk \
 	%D%/fluid_scaling/README.md %D%/fluid_scaling/count_calls.c %D%/fluid_scaling/counts.awk \
@@ -87,7 +88,7 @@ nobase_dist_pkgdata_SCRIPTS = \
 	%D%/fluid_scaling/run.sh %D%/fluid_scaling/section.sh %D%/fluidised_bed/check %D%/fluidised_bed/run.sh \
 	%D%/fluidised_bed/section.sh %D%/gallery/check %D%/gallery/run.sh %D%/gate/check %D%/gate/run.sh \
 	%D%/hard/run.sh %D%/heated_drum/check %D%/heated_drum/run.sh %D%/lammps/check %D%/lammps/make.sh \
-	%D%/paddle_wheel/check %D%/paddle_wheel/run.sh %D%/penetration/check %D%/penetration/lammps/run.sh \
+	%D%/drum_on_rollers/check %D%/drum_on_rollers/run.sh %D%/paddle_wheel/check %D%/paddle_wheel/run.sh %D%/penetration/check %D%/penetration/lammps/run.sh \
 	%D%/penetration/layouts %D%/penetration/run.sh %D%/pores.sh %D%/pupcs/run.sh %D%/pupcs/sizes.sh \
 	%D%/repose/check %D%/repose/run.sh %D%/rocks/check %D%/rocks/run.sh %D%/scaling/ghosts.sh \
 	%D%/scaling/page.sh %D%/scaling/run.sh %D%/scour/check %D%/scour/run.sh %D%/settling/check \

@@ -32,6 +32,8 @@
     ROW(heat, heat, GRAINS, "heat that grains conduct through contacts, with walls and through gas")         \
     ROW(bonds, bonds, GRAINS, "parallel bonds that hold grains together until they break")                   \
     ROW(bodies, bodies, BODIES, "rigid bodies: of spheres, which may overlap, and rocks with flat faces")    \
+    ROW(blocks, wall_contacts, GRAINS,                                                                       \
+        "contacts of walls with walls: a plate on a floor, a drum on rollers")                               \
     ROW(fluid, fluid, OWN, "an incompressible fluid around grains and between walls (implicit SPH)")
 
 /* Physics whose sections stand in `contact` (data/scene/schema_contact.c); PHYSICS_TABLE: all that a scene may ask for. */

@@ -190,7 +190,7 @@ bool guards_energy_due(const struct guard_energy *energy, uint64_t step) {
 }
 
 /* Sums over all ranks of the energies: of grains, then of others. */
-enum { WORK = GRAINS_ENERGIES, HELD, GONE, ENERGIES };
+enum { WORK = GRAINS_ENERGIES, HELD, GONE, PLAY, ENERGIES };
 static void energies_find(const struct physics_set *set, const struct comm *comm, bool mechanical,
                           double energy[ENERGIES]) {
     const struct physics_active *mover = set->mover, *obstacles = set->obstacles;
@@ -202,6 +202,7 @@ static void energies_find(const struct physics_set *set, const struct comm *comm
     energy[WORK] = (obstacles ? obstacles->row->obstacles->work(&obstacles->context) : 0) + others.work;
     energy[HELD] = others.held;
     energy[GONE] = others.taken;
+    energy[PLAY] = others.play;
     comm_sum(comm, energy, ENERGIES);
 }
 
@@ -217,7 +218,7 @@ static void energy_measure(const struct physics_set *set, const struct comm *com
     double mechanical = energy[GRAINS_KINETIC] + energy[GRAINS_ROTATIONAL] + energy[GRAINS_NORMAL] +
                         energy[GRAINS_TANGENTIAL] + energy[HELD];
     *balance = mechanical + energy[GRAINS_GRAVITY] + dissipated - energy[WORK];
-    *in_play = fmax(fmax(fabs(dissipated), fabs(energy[WORK])), energy[HELD]);
+    *in_play = fmax(fmax(fabs(dissipated), fabs(energy[WORK])), fmax(energy[HELD], energy[PLAY]));
     for (int k = GRAINS_KINETIC; k <= GRAINS_TANGENTIAL; k++)
         *in_play = k == GRAINS_GRAVITY ? *in_play : fmax(*in_play, fabs(energy[k]));
 }

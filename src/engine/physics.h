@@ -230,9 +230,10 @@ struct physics_joints {
 };
 
 /* This rank's parts in the balance of energies: energy that the physics holds; energy that it has taken from the grains
- * for good since the start; its work on grains since the start, negative if it took energy. */
+ * for good since the start; its work on grains since the start, negative if it took energy; what of the energy held may become
+ * another form (guards.energy), 0 or more: `held` counts, too, where it is larger. */
 struct physics_energy {
-    double held, taken, work;
+    double held, taken, work, play;
 };
 
 /* Facet of a physics with a table of its own in the folder of a run: opens it, cut behind `step` if the run goes on from
@@ -290,7 +291,8 @@ struct physics_mover {
     /* After the forces of the state from which a run starts. Resumed runs do without. Collective. */
     void (*begin)(const struct physics_context *context);
     /* Moves the velocities of grains back by half of `dt`, under the present forces: after `begin`, and where the length of
-     * steps changes. The stored velocities are then those of half a step before, and files and observables show
+     * steps changes, by the difference. At a resume, too, where that is often 0: what has become free there has velocities of
+     * the full step, and goes back by half of a step. The stored velocities are then those of half a step before, and files and observables show
      * v + dt/2 (f/m + g). NULL: the stored velocities are those of the full step, and are shown as they are. */
     void (*stagger)(const struct physics_context *context, double dt);
     /* The largest stable step for what may come, from the particles at the start; INFINITY: any. Collective. `why`

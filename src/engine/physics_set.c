@@ -258,6 +258,7 @@ void physics_energies(const struct physics_set *set, struct physics_energy *ener
         energy->held += own.held;
         energy->taken += own.taken;
         energy->work += own.work;
+        energy->play += own.play;
     }
 }
 

@@ -96,6 +96,7 @@ static void rows_sort(struct history_rows *rows, size_t owned) {
 bool resume_write(struct simulation *s, const struct output_run *run, const char *suffix,
                   struct error *error) {
     struct rebuild_rows rows = {0};
+    physics_full_step(&s->physics);
     rebuild_detach(&s->search, &s->physics, s->particles, true,
                    &rows); /* the reader may divide the particles differently */
     physics_rows(&s->physics, rows.carried);

@@ -80,8 +80,13 @@ static bool run_begin(struct simulation *s, struct error *error) {
 }
 
 static bool run_go_on(struct simulation *s, struct rebuild_rows *rows, struct error *error) {
+    const struct physics_active *mover = s->physics.mover;
     resume_begin(s, rows);
-    return timing_contacts(s, error);
+    if (!timing_contacts(s, error))
+        return false;
+    if (mover->row->mover->stagger)
+        mover->row->mover->stagger(&mover->context, s->clock.dt - s->resumed.dt);
+    return true;
 }
 
 /* Checks the particles after they have been made. */

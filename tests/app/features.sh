@@ -66,6 +66,8 @@ material_pairs[0].bridge_fraction=0.02'
     [servo]='walls[lid].motion=[{kind: servo, direction: [0, 0, 1], force: 50, speed_max: 2}]'
     [servo-plane]='walls[lid].motion=[{kind: servo, direction: [0, 1], force: 50, speed_max: 2}]'
     [free]='walls[2]={name: block, shape: box, lower: [2, 3, 6], upper: [3.5, 4, 6.6], material: a, free: {density: 1, angular_velocity: [0, 1, 0]}}'
+    [touch]='walls[2]={name: block, shape: box, lower: [2, 3, 9.4], upper: [3.5, 4, 10.02], material: a, free: {density: 1, angular_velocity: [0, 1, 0]}}
+wall_contacts={rounding: 0.05, pairs: [{walls: [block, lid]}]}'
     [field]='walls[3]={name: lump, shape: mesh, file: lump.txt, format: table, scale: 1.5, offset: [4, 4, 2.5], field: true, field_spacing: 0.1, material: a}'
     [free-plane]='walls[2]={name: block, shape: box, lower: [2, 6, -1], upper: [4, 7, 1], material: a, free: {mass: 2, angular_velocity: [0, 0, 1]}}'
     [closed]='walls=~
@@ -132,7 +134,7 @@ together() { # SCENE FEATURE...: on a line of its own
     check "$*" everywhere "$@"
 }
 together space hertz rolling clumps heat hot drag mesh moving grids files vtk packed free field
-together space bonds clumps heat hot stokes density mesh servo insertion stages grids packed free field
+together space bonds clumps heat hot stokes density mesh servo insertion stages grids packed free field touch
 together space jkr clumps stokes density moving servo insertion groups files auto free field
 together space capillary bonds heat drag mesh moving deletion groups grids verlet files vtk packed free
 together space thornton clumps heat hot density servo mesh groups stages
@@ -147,6 +149,7 @@ together space luding clumps heat stokes density grids files closed stressed aut
 together space jkr clumps heat drag grids closed strained deletion stages packed
 together space capillary clumps drag density files long closed sheared strained
 together space rolling heat closed deletion stages verlet stressed # gravity comes in a stage
+together space hertz drag moving deletion groups files vtk auto touch
 together plane clumps heat hot stokes density moving grids files vtk packed free
 together plane hertz bonds heat stokes servo insertion deletion groups stages free
 together plane hertz clumps more-clumps deletion leave heat stokes grids

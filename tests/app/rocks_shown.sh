@@ -9,6 +9,7 @@ cd "$out" || exit 1
 cat >mixed.yaml <<'YAML'
 units: none
 box: {lower: [0, 0, 0], upper: [5, 5, 5], periodic: true}
+gravity: [0, 1, -10]
 step: {dt: 1e-4, count: 20}
 contact: {law: hooke}
 materials: [{name: a, density: 2}]
@@ -75,6 +76,12 @@ faces() { # IN OUT TIME FLAG...
 check 'polygons of the last frame of a trajectory' faces run/trajectory.h5 last.vtp 0.002
 check 'of a frame' faces run first.vtp 0 --frame 0
 check 'of a checkpoint' faces run/checkpoint-20.h5 check.vtp 0.002
+check 'a checkpoint gives the bytes of its frame, with velocities of the full step' cmp check.vtp last.vtp
+both_as() { # ENDING: of all particles, members of clumps too
+    on 1 "$scree" convert run/trajectory.h5 "frame.$1" --frame -1 && on 1 "$scree" convert run/checkpoint-20.h5 "state.$1" && cmp "frame.$1" "state.$1"
+}
+check 'as a dump' both_as lammpstrj
+check 'as a data file' both_as data
 listed() {
     on 1 "$scree" convert run all.pvd && [ "$(grep -c 'file="all-[0-9]*.vtp"' all.pvd)" = 3 ] && cmp all-20.vtp last.vtp && cmp all-0.vtp first.vtp && python3 shown.py all-10.vtp 0.001
 }

@@ -23,8 +23,10 @@ static uint64_t estimate_bytes(const struct checkpoint_io *io) {
         if (c->carried[k])
             carried += c->carried[k]->count * 8 * (checkpoint_history_width(c->carried[k]->components) + 4);
     const struct field_list fields = fields_with(c->particles, FIELD_RESTART);
-    int64_t bytes = (int64_t)(c->particles->owned * (fields_packed_bytes(c->particles, &fields) + 8) +
-                              carried + rows * 8 * (checkpoint_history_width(c->history_components) + 4));
+    uint64_t each = fields_packed_bytes(c->particles, &fields) + 8;
+    each += c->motion ? checkpoint_full_width(c->particles) * sizeof(double) : 0;
+    int64_t bytes = (int64_t)(c->particles->owned * each + carried +
+                              rows * 8 * (checkpoint_history_width(c->history_components) + 4));
     comm_sum_int(io->comm, &bytes, 1);
     uint64_t ranks = (uint64_t)io->comm->size, walls = c->walls ? (uint64_t)walls_count(c->walls) : 0;
     uint64_t numbers = c->restart ? c->restart->count : 0, texts = 0;
@@ -179,18 +181,29 @@ static bool get_rows(struct checkpoint_io *io, struct particles *particles, stru
     return checkpoint_rows(io, particles, state, error) && checkpoint_file_compare(&io->file, error);
 }
 
-bool checkpoint_read(const struct comm *comm, const char *path, struct particles *particles,
-                     struct checkpoint_loaded *loaded, struct error *error) {
-    struct checkpoint_io io = {.comm = comm, .h5 = {.file = -1}};
+static bool read_file(struct checkpoint_io *io, const char *path, struct particles *particles,
+                      struct checkpoint_loaded *loaded, struct error *error) {
     *loaded = (struct checkpoint_loaded){0};
-    if (!checkpoint_file_open(&io.file, comm, path, error))
+    if (!checkpoint_file_open(&io->file, io->comm, path, error))
         return false;
     bool good =
-        checkpoint_head(&io, loaded, error) && (particles == NULL || get_rows(&io, particles, loaded, error));
-    checkpoint_file_close(&io.file);
+        checkpoint_head(io, loaded, error) && (particles == NULL || get_rows(io, particles, loaded, error));
+    checkpoint_file_close(&io->file);
     if (!good)
         checkpoint_loaded_free(loaded);
     return good;
+}
+
+bool checkpoint_read(const struct comm *comm, const char *path, struct particles *particles,
+                     struct checkpoint_loaded *loaded, struct error *error) {
+    struct checkpoint_io io = {.comm = comm, .h5 = {.file = -1}};
+    return read_file(&io, path, particles, loaded, error);
+}
+
+bool checkpoint_read_full(const struct comm *comm, const char *path, struct particles *particles,
+                          struct checkpoint_loaded *loaded, struct error *error) {
+    struct checkpoint_io io = {.comm = comm, .h5 = {.file = -1}, .full = true};
+    return read_file(&io, path, particles, loaded, error);
 }
 
 bool checkpoint_read_head(const struct comm *comm, const char *path, struct checkpoint_loaded *loaded,

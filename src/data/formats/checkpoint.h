@@ -31,6 +31,10 @@ bool checkpoint_verify(const struct comm *comm, const char *path, struct error *
  * their owners. Collective. */
 bool checkpoint_read(const struct comm *comm, const char *path, struct particles *particles,
                      struct checkpoint_loaded *loaded, struct error *error);
+/* The same, but velocities and angular velocities are those of the full step, at the moment of the positions. Files of older
+ * versions have those of the half step alone. */
+bool checkpoint_read_full(const struct comm *comm, const char *path, struct particles *particles,
+                          struct checkpoint_loaded *loaded, struct error *error);
 void checkpoint_loaded_free(struct checkpoint_loaded *loaded);
 
 /* Reads only the numbers and the scene text, after the table's own check (the data are not verified), so that

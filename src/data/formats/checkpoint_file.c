@@ -3,6 +3,7 @@
 #include "data/formats/checkpoint_parts.h"
 
 #include "base/checksum.h"
+#include "data/formats/checkpoint_names.h"
 #include "base/memory.h"
 #include "base/file.h"
 
@@ -49,8 +50,8 @@ static bool sum_rows(const struct checkpoint_file *file, const struct checkpoint
 }
 
 static bool is_large(const struct checkpoint_entry *entry) {
-    return strncmp(entry->name, "/particles/", 11) == 0 || strncmp(entry->name, "/history/", 9) == 0 ||
-           strncmp(entry->name, "/wall_history/", 14) == 0;
+    return strncmp(entry->name, "/particles/", 11) == 0 || strcmp(entry->name, CHECKPOINT_FULL) == 0 ||
+           strncmp(entry->name, "/history/", 9) == 0 || strncmp(entry->name, "/wall_history/", 14) == 0;
 }
 
 /* The checksums of all datasets not yet compared; each rank reads a part of each dataset. */

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* Names of datasets, and the list of the numbers that every checkpoint has. Read checkpoint_names.h first. */
 #include "data/formats/checkpoint_names.h"
+#include "kernel/particles/spin.h"
 #include "physics_table.h"
 
 #include <stdio.h>
@@ -42,6 +43,10 @@ void checkpoint_core_list(struct checkpoint_core *core, struct restart *restart)
 
 void checkpoint_field_name(const struct field *field, char name[OUTPUT_NAME_MAX]) {
     snprintf(name, OUTPUT_NAME_MAX, "/particles/%s", field->name);
+}
+
+size_t checkpoint_full_width(const struct particles *particles) {
+    return spin_of(particles) ? 6 : 3;
 }
 
 size_t checkpoint_type_bytes(enum field_type type) {

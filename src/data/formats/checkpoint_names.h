@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
-/* Private part of checkpoints: names and shapes of datasets that are written and read, and the numbers that
+/* Part of checkpoints: names and shapes of datasets that are written and read, and the numbers that
  * every checkpoint has. */
 #ifndef SCREE_FORMATS_CHECKPOINT_NAMES_H
 #define SCREE_FORMATS_CHECKPOINT_NAMES_H
@@ -35,6 +35,9 @@ extern const char *const checkpoint_physics_names[];
 #define CHECKPOINT_RUN_PROGRAMS "/runs/version_revision"
 #define CHECKPOINT_RUN_SCENES "/runs/scene"
 
+/* Velocities of the full step, and angular velocities where there are any. */
+#define CHECKPOINT_FULL "/full_step/velocity"
+
 /* The cuts of a bisection, a row each: coordinate, first rank above, axis. */
 #define CHECKPOINT_CUTS "/run/cuts"
 enum { CHECKPOINT_CUT = 3 };
@@ -57,6 +60,9 @@ void checkpoint_core_list(struct checkpoint_core *core, struct restart *restart)
 
 /* The name of the dataset of a particle field. */
 void checkpoint_field_name(const struct field *field, char name[OUTPUT_NAME_MAX]);
+
+/* Doubles of a particle in CHECKPOINT_FULL. */
+size_t checkpoint_full_width(const struct particles *particles);
 
 /* Bytes of one value of a type. */
 size_t checkpoint_type_bytes(enum field_type type);

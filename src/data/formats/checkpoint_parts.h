@@ -26,7 +26,7 @@ struct checkpoint_file {
 };
 
 /* Opens a file on all ranks, reads the table, and compares all bytes with the table except for those of the
- * large datasets (/particles, /history and /wall_history). The large datasets are compared when they are
+ * large datasets (/particles, /full_step, /history and /wall_history). The large datasets are compared when they are
  * read, or by checkpoint_file_compare. After an error no file stays open. Collective. */
 bool checkpoint_file_open(struct checkpoint_file *file, const struct comm *comm, const char *path,
                           struct error *error);
@@ -64,6 +64,7 @@ struct checkpoint_io {
     const struct checkpoint *written; /* its source; NULL: the checkpoint is read */
     struct h5 h5;                     /* open for writing */
     struct checkpoint_file file;      /* open for reading; when writing its table is filled */
+    bool full;                        /* velocities are read at the full step */
     uint64_t first, count, total;     /* particles: this rank's rows, among those of all ranks */
 };
 

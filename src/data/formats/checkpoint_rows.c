@@ -6,6 +6,7 @@
 
 #include "base/memory.h"
 #include "kernel/particles/groups.h"
+#include "kernel/particles/spin.h"
 
 #include <string.h>
 
@@ -49,6 +50,34 @@ static bool fields(struct checkpoint_io *io, struct particles *p, struct checkpo
         state->field_read[f] = io->written || checkpoint_io_has(io, name);
         good = !state->field_read[f] || field_rows(io, p, f, error);
     }
+    return good;
+}
+
+/* Writes velocities at the full step; or where they are to be read, and the file has them, puts them in the place of those that were
+ * read. */
+static bool full_rows(struct checkpoint_io *io, struct particles *p, struct error *error) {
+    const struct checkpoint_entry *entry = checkpoint_file_find(&io->file, CHECKPOINT_FULL);
+    const struct integrator_context *motion = io->written ? io->written->motion : NULL;
+    double(*omega)[4] = spin_of(p);
+    if (io->written ? motion == NULL : !io->full || entry == NULL)
+        return true;
+    const size_t width = io->written ? checkpoint_full_width(p) : entry->row_bytes / sizeof(double);
+    if (width != 3 && width != 6)
+        return error_set(error, ERROR_USER, "%s: %s: has rows of an unknown width", io->file.path,
+                         CHECKPOINT_FULL);
+    struct h5_table table = of_particles(io, FIELD_DOUBLE, (int)width);
+    double *data = memory_allocate(io->count * width, sizeof *data, "velocities of a checkpoint");
+    const size_t given = io->written ? io->count : 0;
+#pragma omp parallel for
+    for (size_t i = 0; i < given; i++)
+        integrator_full_step(p, motion, i, data + i * width, omega ? data + i * width + 3 : NULL);
+    bool good = checkpoint_io_rows(io, CHECKPOINT_FULL, &table, data, error);
+    for (size_t i = 0; good && io->written == NULL && i < io->count; i++) {
+        memcpy(p->state[i].v, data + i * width, sizeof p->state[i].v);
+        if (omega && width == 6)
+            memcpy(omega[i], data + i * width + 3, 3 * sizeof *data);
+    }
+    memory_free(data);
     return good;
 }
 
@@ -234,7 +263,7 @@ static bool count_kind(struct checkpoint_io *io, const char *dataset, struct che
 
 bool checkpoint_rows(struct checkpoint_io *io, struct particles *p, struct checkpoint_loaded *state,
                      struct error *error) {
-    bool good = fields(io, p, state, error);
+    bool good = fields(io, p, state, error) && full_rows(io, p, error);
     if (good && io->written == NULL)
         good = complete_masses(io, p, error) &&
                count_kind(io, "/particles/material", state->material, state->materials, error) &&

@@ -30,6 +30,8 @@ struct checkpoint {
     struct checkpoint_numbers numbers;
     const struct restart *restart;     /* NULL: none */
     const struct particles *particles; /* ghosts are ignored */
+    const struct integrator_context
+        *motion; /* makes full-step velocities, for programs that show them; NULL: none */
     const struct box *box;
     const struct domain_tree *tree;          /* of a bisection; NULL: bricks */
     int history_components;                  /* 0: no history */

@@ -2,6 +2,7 @@
 /* Converts between the formats, frame by frame. Read convert.h first. */
 #include "data/formats/convert.h"
 
+#include "kernel/particles/kinds.h"
 #include "kernel/particles/material.h"
 #include "kernel/particles/spin.h"
 #include "base/memory.h"
@@ -151,7 +152,7 @@ static void rows_of_particles(struct rows *rows, const struct particles *p,
         rows->radius[i] = p->state[i].radius;
         rows->mass[i] = groups_mass(p, i);
         for (int d = 0; d < 3; d++)
-            rows->position[i][d] = p->state[i].x[d] + box->origin[d];
+            rows->position[i][d] = p->state[i].x[d];
         memcpy(rows->velocity[i], p->state[i].v, sizeof rows->velocity[i]);
         if (omega)
             memcpy(rows->angular_velocity[i], omega[i], sizeof rows->angular_velocity[i]);
@@ -170,12 +171,23 @@ static void rows_of_particles(struct rows *rows, const struct particles *p,
     rows->tilt = (struct rows_tilt){box->motion.flow, box->motion.gradient, box->motion.offset};
 }
 
-/* Reads the particles of a checkpoint. */
+/* Reads the particles of a checkpoint as files show them: positions of the user, velocities of the full step. */
+static bool read_shown(const struct comm *comm, const char *path, struct particles *particles,
+                       struct checkpoint_loaded *loaded, struct error *error) {
+    frame_register_all(particles);
+    kinds_register(particles); /* bodies and particles of a fluid have no mass of a grain */
+    if (!checkpoint_read_full(comm, path, particles, loaded, error))
+        return false;
+    for (size_t i = 0; i < particles->owned; i++)
+        for (int d = 0; d < 3; d++)
+            particles->state[i].x[d] += loaded->box.origin[d];
+    return true;
+}
+
 static bool read_checkpoint(const struct converting *c, struct rows *rows, struct error *error) {
     struct checkpoint_loaded loaded;
     struct particles *particles = particles_create(0);
-    frame_register_all(particles);
-    bool good = checkpoint_read(c->comm, c->in, particles, &loaded, error);
+    bool good = read_shown(c->comm, c->in, particles, &loaded, error);
     if (good) {
         rows_of_particles(rows, particles, &loaded);
         rows->step = loaded.numbers.step;
@@ -246,8 +258,7 @@ bool convert_values(const char *checkpoint, const char *name, int component, con
     struct checkpoint_loaded loaded;
     struct particles *particles = particles_create(0);
     *values = (struct h5md_values){0};
-    frame_register_all(particles);
-    bool good = checkpoint_read(comm, checkpoint, particles, &loaded, error);
+    bool good = read_shown(comm, checkpoint, particles, &loaded, error);
     if (good) {
         const int f = fields_find(particles, name);
         good = f >= 0 && loaded.field_read[f] && component < fields_get(particles, f)->components;

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* Conversions between file formats: LAMMPS data, LAMMPS dump, H5MD and checkpoints in; LAMMPS data, dump,
  * H5MD (with XDMF) and the XDMF of an H5MD file out. From a checkpoint only the particles are converted, for
- * inspection. The velocities are those of the checkpoint, half a step before the positions. */
+ * inspection, with velocities of the full step. */
 #ifndef SCREE_FORMATS_CONVERT_H
 #define SCREE_FORMATS_CONVERT_H
 

@@ -126,19 +126,19 @@ static void arrays_find(struct vtp_array array[ARRAYS], uint64_t triangles) {
 }
 
 /* The arrays of a frame; 5 numbers and 4 values a triangle are room for what the surface lacks. */
-static void arrays_fill(struct vtp_array array[ARRAYS], const struct wall_surface *surface, int64_t *number,
-                        double *value) {
+static void arrays_fill(struct vtp_array array[ARRAYS], const struct wall_surface *surface,
+                        const double (*load)[4], int64_t *number, double *value) {
     const size_t count = surface->triangles;
     arrays_find(array, count);
     for (size_t k = 0; k < 3 * count; k++) {
         number[k] = (int64_t)k;
-        value[k] = surface->load[k / 3][k % 3];
+        value[k] = load[k / 3][k % 3];
     }
     for (size_t k = 0; k < count; k++) {
         double area = wall_surface_area(surface->corner[k]);
         number[3 * count + k] = 3 * (int64_t)(k + 1);
         number[4 * count + k] = surface->wall[k];
-        value[3 * count + k] = area > 0 ? surface->load[k][3] / area : 0;
+        value[3 * count + k] = area > 0 ? load[k][3] / area : 0;
     }
     array[POINTS].data = surface->corner;
     array[CORNERS].data = number;
@@ -150,7 +150,7 @@ static void arrays_fill(struct vtp_array array[ARRAYS], const struct wall_surfac
 
 /* Writes a frame: numbers in the layout of `arrays`. */
 static bool write_frame(const struct wall_frames *frames, const struct wall_frame *frame,
-                        const struct wall_surface *surface, struct error *error) {
+                        const struct wall_surface *surface, const double (*load)[4], struct error *error) {
     struct vtp_array array[ARRAYS];
     const struct vtp_content content = {.time = frame->time,
                                         .arrays = ARRAYS,
@@ -165,7 +165,7 @@ static bool write_frame(const struct wall_frames *frames, const struct wall_fram
         return false;
     int64_t *number = memory_allocate(5 * surface->triangles, sizeof *number, "frame of walls");
     double *value = memory_allocate(4 * surface->triangles, sizeof *value, "frame of walls");
-    arrays_fill(array, surface, number, value);
+    arrays_fill(array, surface, load, number, value);
     vtp_write(file.stream, &content);
     memory_free(number);
     memory_free(value);
@@ -234,21 +234,32 @@ static bool frames_have(const struct wall_frames *frames, uint64_t step) {
     return frames->count > 0 && frames->frame[frames->count - 1].step == step;
 }
 
+/* Adds a frame to the lists, with the parts of all ranks. */
+static void frame_put(struct wall_frames *frames, const struct output_view *view,
+                      const struct wall_surface *surface, struct wall_surface_part *part, size_t parts,
+                      struct error *error) {
+    struct wall_frame frame = {.step = view->step, .time = view->time, .triangles = surface->triangles};
+    double(*load)[4] = wall_surface_sum(surface, part, parts);
+    if (frames_have(frames, view->step))
+        frames->count--;
+    if (write_frame(frames, &frame, surface, (const double(*)[4])load, error)) {
+        frames_add(frames, &frame);
+        (void)(write_list(frames, error) && write_xdmf(frames, error));
+    }
+    memory_free(load);
+}
+
 bool wall_frames_write(struct wall_frames *frames, const struct output_view *view, struct error *error) {
     struct wall_surface surface;
+    void *part = NULL;
     if (view->walls == NULL)
         return true;
     wall_surface_make(&surface, view->walls, view->contact);
-    comm_sum(frames->comm, surface.load[0], 4 * (int)surface.triangles);
-    if (frames->comm->rank == 0) {
-        struct wall_frame frame = {.step = view->step, .time = view->time, .triangles = surface.triangles};
-        if (frames_have(frames, view->step))
-            frames->count--;
-        if (write_frame(frames, &frame, &surface, error)) {
-            frames_add(frames, &frame);
-            (void)(write_list(frames, error) && write_xdmf(frames, error));
-        }
-    }
+    size_t bytes =
+        comm_gather_varying(frames->comm, surface.part, surface.parts * sizeof *surface.part, &part, NULL);
+    if (frames->comm->rank == 0)
+        frame_put(frames, view, &surface, part, bytes / sizeof *surface.part, error);
+    memory_free(part);
     wall_surface_free(&surface);
     return comm_agree(frames->comm, error);
 }

@@ -186,9 +186,10 @@ static void volume_in_region(const struct output_view *view, const struct observ
     }
 
 static const struct observable_kind kinds[] = {
-    WALL_ROW("wall_force", "wall", "N", "f", force_on_wall, "force of the particles on a wall"),
+    WALL_ROW("wall_force", "wall", "N", "f", force_on_wall,
+             "force of the particles on a wall, and of walls that touch it"),
     WALL_ROW("wall_torque", "wall", "N m", "t", torque_on_wall,
-             "torque of the particles on a wall about its centre"),
+             "torque of the particles on a wall about its centre, and of walls that touch it"),
     WALL_ROW("wall_offset", "", "m", "", wall_offset,
              "displacement of a wall's centre from its place at rest"),
     WALL_ROW("wall_velocity", "", "m/s", "v", wall_velocity, "velocity of a wall's centre"),

@@ -163,6 +163,12 @@ static bool check_free(const struct scene *scene, int w, struct error *error) {
         return scene_fail(scene, error, key, "needs three numbers");
     if (free->centre_given && turns && !free->inertia_given)
         return scene_fail(scene, error, key, "needs inertia, too: about this centre");
+    snprintf(key, sizeof(key), "walls[%d].free.velocity", w);
+    if (free->velocity_given == 1)
+        return scene_fail(scene, error, key, "needs three numbers, or two");
+    snprintf(key, sizeof(key), "walls[%d].free.angular_velocity", w);
+    if (free->omega_given != 0 && free->omega_given != 3)
+        return scene_fail(scene, error, key, "needs three numbers");
     snprintf(key, sizeof(key), "walls[%d].free.inertia", w);
     if (free->inertia_given != 0 && free->inertia_given != 6)
         return scene_fail(scene, error, key, "needs six numbers: xx yy zz xy xz yz");

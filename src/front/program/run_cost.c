@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* Estimates the cost of a run. Read check_parts.h first. */
 #include "front/program/check_parts.h"
+#include "data/formats/checkpoint_names.h"
 #include "data/formats/wall_frames.h"
 #include "front/program/trial.h"
 #include "physics/grains/grains.h"
@@ -75,7 +76,8 @@ static double frame_bytes(const struct output_view *view, const struct output_fi
 
 static double checkpoint_bytes(const struct particles *particles, uint64_t total) {
     const struct field_list fields = fields_with(particles, FIELD_MIGRATE);
-    double each = (double)fields_packed_bytes(particles, &fields);
+    double each =
+        (double)(fields_packed_bytes(particles, &fields) + sizeof(double) * checkpoint_full_width(particles));
     return CHECKPOINT_HEAD + each * (double)total;
 }
 

@@ -13,6 +13,7 @@
 #include "physics/fluid/fluid_fields.h"
 #include "physics/fluid/lattice/lattice_fill.h"
 #include "physics/fluid/lattice/narrow_gaps.h"
+#include "physics/fluid/lattice/surface_feet.h"
 #include "physics/fluid/schemes/fluid_passes.h"
 #include "physics/fluid/schemes/fluid_motion.h"
 #include "physics/fluid/coupling/boundary_motion.h"
@@ -20,6 +21,7 @@
 #include "physics/fluid/fluid_state.h"
 #include "physics/fluid/schemes/solver_watch.h"
 #include "kernel/particles/kinds.h"
+#include "physics/grains/grains.h"
 #include <math.h>
 
 /* Grains meet grains and walls within the reach of lubrication; a wall has an infinite radius. */
@@ -55,6 +57,8 @@ static void *create(const struct physics_context *context) {
     fluid->drive = flow_drive_begin(fluid->options, context->box, &fluid->error);
     fluid->support = fluid_support(fluid->options, context->box->dimension);
     fluid->lattice = arrangement_make(fluid->options, context->box);
+    if (grains_walls(context))
+        walls_cover(grains_walls(context), surface_feet_reach(fluid->options, context->box));
     if (fluid->options->fill.jitter > 0 || fluid_motion_moves(fluid->options))
         fluid_fields_volumes(context->particles);
     else

@@ -260,14 +260,14 @@ static void stagger(const struct physics_context *context, double dt) {
     if (kinds_of(context->particles))
         all = kinds_span(context->particles, context->classes, KIND_GRAIN);
     motion.dt = dt;
-    size_t count = all.end - all.first, threads = (size_t)context->threads;
+    size_t count = dt != 0 ? all.end - all.first : 0, threads = (size_t)context->threads;
 #pragma omp parallel for schedule(static, 1)
     for (size_t t = 0; t < threads; t++)
         integrator_stagger(context->particles, &motion, all.first + count * t / threads,
                            all.first + count * (t + 1) / threads);
     if (grains->walls && walls_have_free(grains->walls)) {
         push_sum(context);
-        walls_stagger(grains->walls, grains->push, dt);
+        walls_stagger(grains->walls, grains->push, dt, context->clock->dt);
     }
 }
 
@@ -284,8 +284,9 @@ static void full_step(const struct physics_context *context) {
 static void energy(const struct physics_context *context, struct physics_energy *energy) {
     const struct grains *grains = context->self;
     if (grains->walls && context->comm->rank == 0)
-        *energy =
-            (struct physics_energy){.held = walls_energy(grains->walls), .taken = walls_taken(grains->walls)};
+        *energy = (struct physics_energy){.held = walls_energy(grains->walls),
+                                          .taken = walls_taken(grains->walls),
+                                          .play = walls_motion(grains->walls)};
 }
 
 static void begin(const struct physics_context *context) {

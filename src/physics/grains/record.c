@@ -23,6 +23,7 @@ static void save(const struct physics_context *context, const struct history_row
     checkpoint->law = grains->title;
     checkpoint->wall_history = rows->start && checkpoint->history_components > 0 ? rows : NULL;
     checkpoint->walls = grains->walls;
+    checkpoint->motion = &grains->motion;
 }
 
 static bool fits(const struct physics_context *context, const char *path,

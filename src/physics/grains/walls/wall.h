@@ -124,7 +124,8 @@ bool walls_overlap(const struct walls *walls, const double x[3], double radius);
  *   cylinder   particles outside: the cylinder, its ends included. Particles inside: all around the bore, of
  *              a finite cylinder as far as its length: a bore through a plate
  *   mesh       the side away from which the normals of its triangles point (right-hand rule). The surface must
- *              be closed (walls_open_edges) */
+ *              be closed (walls_open_edges). One that is felt by a field is that of the field, as far as walls_cover says,
+ *              and farther away that of the triangles */
 struct wall_foot {
     double distance, normal[3], velocity[3], spin[3];
 };
@@ -132,6 +133,9 @@ struct wall_foot {
 /* The foot of x (box-relative) on a wall. On a mesh the distance is INFINITY if the surface is farther than
  * `reach`; with an infinite reach each triangle is looked at. Any thread. */
 void walls_foot(const struct walls *walls, int wall, const double x[3], double reach, struct wall_foot *foot);
+
+/* Lets fields reach at least so far from their surfaces. Opens its own team; no other thread may look. */
+void walls_cover(struct walls *walls, double reach);
 
 /* The edges of a mesh that are not shared by two triangles of one orientation: 0 of a closed surface, and of
  * other shapes. Any thread. */
@@ -275,16 +279,26 @@ struct wall_surface {
     size_t triangles;
     double (*corner)[9]; /* user's coordinates */
     int32_t *wall;       /* of each triangle */
-    double (*load)
-        [4]; /* force on the triangle; the sum of the normal parts of the contacts' forces, above 0 where
-                            particles press */
+    size_t parts;
+    struct wall_surface_part *part; /* of the loads, in any order */
 };
 
-/* Makes the surfaces, with the loads of this rank's particles (zeros if `context` is NULL). wall_surface_free
+/* What a contact does to a triangle. */
+struct wall_surface_part {
+    uint64_t triangle;
+    double load[4]; /* force; its part along the normal of the contact, above 0 where the particle presses */
+};
+
+/* Makes the surfaces, with the parts of this rank's particles (none if `context` is NULL). wall_surface_free
  * releases. One thread. */
 void wall_surface_make(struct wall_surface *surface, const struct walls *walls,
                        const struct force_context *context);
 void wall_surface_free(struct wall_surface *surface);
+
+/* Adds up parts, of all ranks say, by triangle, and sorts them: the sums do not depend on their order. Allocated (memory_free), 4 doubles a
+ * triangle. One thread. */
+double (*wall_surface_sum(const struct wall_surface *surface, struct wall_surface_part *part,
+                          size_t parts))[4];
 
 /* Area of a triangle. */
 double wall_surface_area(const double corner[9]);

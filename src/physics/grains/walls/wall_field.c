@@ -292,6 +292,22 @@ bool wall_field_at(const struct wall_field *field, struct law_vector x, double *
     return true;
 }
 
+bool wall_field_near(const struct wall_field *field, struct law_vector x, double reach, double *distance,
+                     struct law_vector *gradient) {
+    struct wall_nearest near;
+    if (wall_field_at(field, x, distance, gradient))
+        return fabs(*distance) < reach;
+    if (!wall_tree_nearest(field->tree, x, reach, &near))
+        return false;
+    int32_t feature = near.feature >= 0 ? near.feature : field->mesh->triangle[near.triangle].patch;
+    struct law_vector out = field->out[feature];
+    double way = law_dot(near.to, out) > 0.0 ? -1.0 : 1.0;
+    *distance = way * near.distance;
+    *gradient = near.distance > 0.0 ? law_scale(-way / near.distance, near.to)
+                                    : law_scale(1.0 / sqrt(law_dot(out, out)), out);
+    return true;
+}
+
 struct wall_field_figures wall_field_look(const struct wall_field *field) {
     return (struct wall_field_figures){.spacing = field->spacing,
                                        .error = field->error,

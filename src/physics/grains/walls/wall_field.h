@@ -34,6 +34,11 @@ void wall_field_cover(struct wall_field *field, double reach);
 bool wall_field_at(const struct wall_field *field, struct law_vector x, double *distance,
                    struct law_vector *gradient);
 
+/* The same at any place nearer to the surface than `reach`: where no tile is there those of the triangles, exactly. False: it is
+ * farther. */
+bool wall_field_near(const struct wall_field *field, struct law_vector x, double reach, double *distance,
+                     struct law_vector *gradient);
+
 /* What `scree check` tells: the error is the largest distance to the exact one that was found in the middle of
  * WALL_FIELD_LOOKS cells of each tile. */
 enum { WALL_FIELD_LOOKS = 64 };

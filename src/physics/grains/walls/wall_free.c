@@ -76,28 +76,62 @@ static void omega_of(const struct wall_free *free, const double spin[3], double 
     rotor_velocity(turn, spin, free->inertia, omega);
 }
 
-void wall_free_begin(struct wall_free *free, const struct wall_transform *base) {
-    const struct wall_free_options *options = &free->options;
+/* The velocities that the options give. */
+static void given_of(const struct wall_free_options *options, double given[WALL_FREE_GIVEN]) {
+    for (int d = 0; d < 3; d++) {
+        given[WALL_FREE_VELOCITY + d] = options->velocity_given ? options->velocity[d] : NAN;
+        given[WALL_FREE_OMEGA + d] = options->omega_given ? options->omega[d] : NAN;
+    }
+    given[WALL_FREE_SPEED] = options->speed;
+}
+
+/* True if one of the numbers is given, and is not what it was. */
+static bool given_anew(const double *now, const double *before, int count) {
+    bool anew = false;
+    for (int k = 0; k < count; k++)
+        anew = anew || (!isnan(now[k]) && now[k] != before[k]);
+    return anew;
+}
+
+static void take_velocity(struct wall_free *free) {
+    const double speed = free->options.speed;
+    free->state.rate = single(free) && !isnan(speed) ? speed : 0.0;
+    if (!single(free))
+        memcpy(free->state.velocity, free->options.velocity, sizeof free->state.velocity);
+}
+
+static void take_omega(struct wall_free *free) {
     struct wall_free_state *state = &free->state;
-    free->centre = wall_transform_point(base, free->rest);
-    moments_quaternion(base->rotation, free->axes);
-    rotor_product(free->axes, free->axes_rest, free->axes);
-    if (state->known != 0.0)
-        return;
-    *state = (struct wall_free_state){.rate = single(free) ? options->speed : 0.0};
-    memcpy(state->turn, free->axes, sizeof state->turn);
-    if (single(free))
-        return;
-    memcpy(state->velocity, options->velocity, sizeof state->velocity);
-    if (options->freedom != WALL_FREE_ALL)
-        return;
     double turn[9], own[3];
-    memcpy(state->omega, options->omega, sizeof state->omega);
+    memcpy(state->omega, free->options.omega, sizeof state->omega);
     rotor_matrix(state->turn, turn);
-    rotor_turn_back(turn, options->omega, own);
+    rotor_turn_back(turn, state->omega, own);
     for (int d = 0; d < 3; d++)
         own[d] *= free->inertia[d];
     rotor_turn(turn, own, state->spin);
+}
+
+void wall_free_begin(struct wall_free *free, const struct wall_transform *base) {
+    struct wall_free_state *state = &free->state;
+    const bool fresh = state->known == 0.0, turns = free->options.freedom == WALL_FREE_ALL;
+    const int first = single(free) ? WALL_FREE_SPEED : WALL_FREE_VELOCITY;
+    double given[WALL_FREE_GIVEN];
+    free->centre = wall_transform_point(base, free->rest);
+    moments_quaternion(base->rotation, free->axes);
+    rotor_product(free->axes, free->axes_rest, free->axes);
+    given_of(&free->options, given);
+    free->new_velocity = fresh || given_anew(given + first, state->given + first, single(free) ? 1 : 3);
+    free->new_omega =
+        turns && (fresh || given_anew(given + WALL_FREE_OMEGA, state->given + WALL_FREE_OMEGA, 3));
+    if (fresh) {
+        *state = (struct wall_free_state){.known = 0.0};
+        memcpy(state->turn, free->axes, sizeof state->turn);
+    }
+    memcpy(state->given, given, sizeof given);
+    if (free->new_velocity)
+        take_velocity(free);
+    if (free->new_omega)
+        take_omega(free);
 }
 
 /* Force or torque along the one freedom, without the damper. */
@@ -110,15 +144,17 @@ static double drive(const struct wall_free *free, const struct wall_push *push, 
     return law_dot(law_add(law_cross(arm, weight), 1.0, wall_vector(push->torque)), direction) + rest;
 }
 
-/* Adds `time` x acceleration to the velocities of a wall of several freedoms. */
-static void push_on(const struct wall_free *free, const struct wall_push *push, const double gravity[3],
-                    double time, double velocity[3], double spin[3]) {
-    for (int d = 0; d < 3; d++) {
-        if (!free->flat || d < 2)
-            velocity[d] += time * (push->force[d] / free->mass + gravity[d]);
-        if (free->options.freedom == WALL_FREE_ALL && (!free->flat || d == 2))
-            spin[d] += time * push->torque[d];
-    }
+/* Adds `time` x acceleration to the velocity, and to the angular momentum, of a wall of several freedoms. */
+static void push_along(const struct wall_free *free, const struct wall_push *push, const double gravity[3],
+                       double time, double velocity[3]) {
+    for (int d = 0; d < (free->flat ? 2 : 3); d++)
+        velocity[d] += time * (push->force[d] / free->mass + gravity[d]);
+}
+
+static void push_round(const struct wall_free *free, const struct wall_push *push, double time,
+                       double spin[3]) {
+    for (int d = free->flat ? 2 : 0; free->options.freedom == WALL_FREE_ALL && d < 3; d++)
+        spin[d] += time * push->torque[d];
 }
 
 /* One step of the one freedom: (1 + a) q'+ = (1 - a) q'- + dt Q / M with a = dt c / 2 M. */
@@ -138,11 +174,13 @@ void wall_free_advance(struct wall_free *free, const struct wall_push *push, con
     struct wall_free_state *state = &free->state;
     double before[3], after[3];
     state->known = 1.0;
+    free->new_velocity = free->new_omega = false;
     if (single(free)) {
         advance_single(free, push, gravity, dt);
         return;
     }
-    push_on(free, push, gravity, dt, state->velocity, state->spin);
+    push_along(free, push, gravity, dt, state->velocity);
+    push_round(free, push, dt, state->spin);
     for (int d = 0; d < 3; d++)
         state->place[d] += dt * state->velocity[d];
     if (free->options.freedom == WALL_FREE_SHIFT)
@@ -155,16 +193,21 @@ void wall_free_advance(struct wall_free *free, const struct wall_push *push, con
 }
 
 void wall_free_stagger(struct wall_free *free, const struct wall_push *push, const double gravity[3],
-                       double dt) {
+                       double dt, double step) {
     struct wall_free_state *state = &free->state;
+    const double back = 0.5 * (free->new_velocity ? step : dt);
+    const double turn_back = 0.5 * (free->new_omega ? step : dt);
     state->known = 1.0;
-    if (single(free))
+    free->new_velocity = free->new_omega = false;
+    if (back != 0.0 && single(free))
         state->rate -=
-            0.5 * dt * (drive(free, push, gravity) - free->options.damper * state->rate) / inertia_of(free);
-    else
-        push_on(free, push, gravity, -0.5 * dt, state->velocity, state->spin);
-    if (free->options.freedom == WALL_FREE_ALL)
-        omega_of(free, state->spin, state->omega);
+            back * (drive(free, push, gravity) - free->options.damper * state->rate) / inertia_of(free);
+    else if (back != 0.0)
+        push_along(free, push, gravity, -back, state->velocity);
+    if (turn_back == 0.0 || free->options.freedom != WALL_FREE_ALL)
+        return;
+    push_round(free, push, -turn_back, state->spin);
+    omega_of(free, state->spin, state->omega);
 }
 
 /* The way of the one freedom at the full step. */
@@ -178,7 +221,8 @@ static void full_single(struct wall_free *free, const struct wall_push *push, co
     bool along = options->freedom == WALL_FREE_ALONG;
     put(full->velocity, law_scale(along ? rate : 0.0, direction_of(free)));
     put(full->omega, law_scale(along ? 0.0 : rate, direction_of(free)));
-    full->energy = 0.5 * inertia * rate * rate + 0.5 * options->spring * way * way - options->load * way;
+    full->motion = 0.5 * inertia * rate * rate + 0.5 * options->spring * way * way;
+    full->energy = full->motion - options->load * way;
     full->taken = free->state.taken + half * options->damper * rate * rate;
 }
 
@@ -192,12 +236,14 @@ void wall_free_find_full(struct wall_free *free, const struct wall_push *push, c
         double spin[3];
         memcpy(full->velocity, free->state.velocity, sizeof full->velocity);
         memcpy(spin, free->state.spin, sizeof spin);
-        push_on(free, push, gravity, 0.5 * dt, full->velocity, spin);
+        push_along(free, push, gravity, 0.5 * dt, full->velocity);
+        push_round(free, push, 0.5 * dt, spin);
         if (free->options.freedom == WALL_FREE_ALL)
             omega_of(free, spin, full->omega);
         for (int d = 0; d < 3; d++)
-            full->energy +=
+            full->motion +=
                 0.5 * free->mass * full->velocity[d] * full->velocity[d] + 0.5 * spin[d] * full->omega[d];
+        full->energy = full->motion;
     }
     struct law_vector moved = law_add(centre_now(free), -1.0, free->centre);
     full->energy -= free->mass * law_dot(wall_vector(gravity), moved);

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* A free wall: a body whose shape is a wall. Grains push, turn and carry it; so do gravity and, where it has one freedom
- * alone, a load, a spring and a damper. Other walls do not.
+ * alone, a load, a spring and a damper. Other walls do where a scene names them (physics/blocks).
  *
  * Mass and inertia are given, or follow from the shape at rest: of a closed mesh, a box, or a cylinder that is felt from
  * outside those of the solid; of other shapes those of a thin sheet of uniform mass (of a tube, without ends). A plane
@@ -15,12 +15,18 @@
  * In two dimensions the wall stays in the plane: ALL turns about z.
  *
  * The motion maps space to space and acts on the pose in which the wall became free: at the start, or where a stage frees
- * it. Coordinates are box-relative. Any thread may read; one writes. */
+ * it. Coordinates are box-relative. Any thread may read; one writes.
+ *
+ * Velocities that are given act where the wall becomes free, and at a resume where another one is given than before: by a stage,
+ * or by the user. They are those of the full step, which wall_free_stagger moves back. */
 #ifndef SCREE_WALLS_WALL_FREE_H
 #define SCREE_WALLS_WALL_FREE_H
 
 #include "physics/grains/walls/wall_mesh.h"
 #include "physics/grains/walls/wall_motion.h"
+
+/* The velocities that a user may give: velocity, angular velocity, speed. */
+enum { WALL_FREE_VELOCITY, WALL_FREE_OMEGA = 3, WALL_FREE_SPEED = 6, WALL_FREE_GIVEN };
 
 /* The state: numbers of a restart, doubles alone. */
 struct wall_free_state {
@@ -33,6 +39,7 @@ struct wall_free_state {
     double taken;       /* work of the damper; energy */
     double omega
         [3]; /* ALL: angular velocity of the last half step, the mean of those before and after the turn */
+    double given[WALL_FREE_GIVEN]; /* the velocities that were given last; NAN: none */
 };
 
 /* What is shown: at the full step. */
@@ -41,6 +48,7 @@ struct wall_free_full {
     double omega[3];
     double
         energy; /* of motion, of the spring, and of gravity and load, these from the place where it became free */
+    double motion; /* of the energy that of motion and of the spring */
     double taken;
 };
 
@@ -55,6 +63,8 @@ struct wall_free {
     struct law_vector centre; /* of mass, where the wall became free */
     double axes[4];           /* and the axes there */
     struct wall_free_state state;
+    bool new_velocity,
+        new_omega; /* given since the last step: of the full step. Of one freedom the first is the rate */
     struct wall_free_full full;
 };
 
@@ -65,7 +75,7 @@ bool wall_free_create(struct wall_free **free, const struct wall_options *option
 void wall_free_destroy(struct wall_free **free);
 
 /* The wall is free from the pose `base` on: where its state is not known, with the velocities of the options; else it goes
- * on. */
+ * on, but for velocities that are given anew. */
 void wall_free_begin(struct wall_free *free, const struct wall_transform *base);
 
 /* The centre of the wall at rest (struct wall_pose), for the pose in which it became free. */
@@ -79,9 +89,10 @@ struct wall_twist wall_free_twist(const struct wall_free *free);
 void wall_free_advance(struct wall_free *free, const struct wall_push *push, const double gravity[3],
                        double dt);
 
-/* Moves the velocities back by half of dt, as integrator_stagger does for grains. */
+/* Moves the velocities back by half of dt, as integrator_stagger does for grains; those that are given since the last step by
+ * half of `step`, its length. */
 void wall_free_stagger(struct wall_free *free, const struct wall_push *push, const double gravity[3],
-                       double dt);
+                       double dt, double step);
 
 /* Fills `full`; dt: the length of the steps by half of which velocities lie behind. */
 void wall_free_find_full(struct wall_free *free, const struct wall_push *push, const double gravity[3],

@@ -74,14 +74,15 @@ struct wall_free_options {
     enum wall_freedom freedom;
     double mass, density; /* one of the two */
     int centre_given, inertia_given;
-    double centre[3];      /* of mass, user's coordinates */
-    double inertia[6];     /* xx yy zz xy xz yz about the centre of mass */
-    double direction[3];   /* ALONG, ABOUT: any length but 0 */
-    double point[3];       /* ABOUT: a point of the axis, user's coordinates */
-    double velocity[3];    /* ALL, SHIFT: at the start; ALL: and the angular velocity */
-    double omega[3];       /* rad/time */
-    double speed;          /* at the start, ALONG: along the direction; ABOUT: angular velocity about it */
-    double load;           /* ALONG: force along the direction; ABOUT: torque about it */
+    double centre[3];                /* of mass, user's coordinates */
+    double inertia[6];               /* xx yy zz xy xz yz about the centre of mass */
+    double direction[3];             /* ALONG, ABOUT: any length but 0 */
+    double point[3];                 /* ABOUT: a point of the axis, user's coordinates */
+    int velocity_given, omega_given; /* numbers given; 0: none, and the others are 0 */
+    double velocity[3];              /* ALL, SHIFT: at the start, or anew; ALL: and the angular velocity */
+    double omega[3];                 /* rad/time */
+    double speed; /* the same, ALONG: along the direction; ABOUT: angular velocity about it; NAN: not given */
+    double load;  /* ALONG: force along the direction; ABOUT: torque about it */
     double spring, damper; /* ALONG, ABOUT: against the displacement or angle, and against the speed */
 };
 

@@ -3,6 +3,7 @@
 #include "physics/grains/walls/walls_parts.h"
 #include "base/memory.h"
 #include <math.h>
+#include <stdlib.h>
 #include <string.h>
 
 enum { POLYGON_MAX = 4 + 6 };
@@ -156,10 +157,11 @@ static size_t nearest(const struct wall_surface *surface, const struct walls *wa
     return found;
 }
 
-static void add_loads(struct wall_surface *surface, const struct walls *walls,
+static void add_parts(struct wall_surface *surface, const struct walls *walls,
                       const struct force_context *context, const size_t *first) {
     struct wall_load *load;
     size_t count = walls_loads(walls, context, &load);
+    surface->part = memory_allocate(count, sizeof *surface->part, "loads of triangles");
     for (size_t k = 0; k < count; k++) {
         int w = load[k].wall;
         bool known = walls->wall[w].mesh && load[k].triangle != WALL_PIECE_FIELD;
@@ -167,11 +169,31 @@ static void add_loads(struct wall_surface *surface, const struct walls *walls,
                           : nearest(surface, walls, first[w], first[w + 1], &load[k]);
         if (at == first[w + 1])
             continue;
-        for (int d = 0; d < 3; d++)
-            surface->load[at][d] += load[k].force[d];
-        surface->load[at][3] += load[k].push;
+        struct wall_surface_part *part = &surface->part[surface->parts++];
+        *part = (struct wall_surface_part){.triangle = at};
+        memcpy(part->load, load[k].force, sizeof load[k].force);
+        part->load[3] = load[k].push;
     }
     memory_free(load);
+}
+
+/* By triangle, then by the bits of the load: parts that are alike in all may change places. */
+static int part_compare(const void *a, const void *b) {
+    const struct wall_surface_part *x = a, *y = b;
+    if (x->triangle != y->triangle)
+        return x->triangle < y->triangle ? -1 : 1;
+    return memcmp(x->load, y->load, sizeof x->load);
+}
+
+double (*wall_surface_sum(const struct wall_surface *surface, struct wall_surface_part *part,
+                          size_t parts))[4] {
+    double(*load)[4] = memory_allocate_zero(surface->triangles, sizeof *load, "triangles for output");
+    if (parts > 0)
+        qsort(part, parts, sizeof *part, part_compare);
+    for (size_t k = 0; k < parts; k++)
+        for (int c = 0; c < 4; c++)
+            load[part[k].triangle][c] += part[k].load[c];
+    return load;
 }
 
 void wall_surface_make(struct wall_surface *surface, const struct walls *walls,
@@ -188,15 +210,14 @@ void wall_surface_make(struct wall_surface *surface, const struct walls *walls,
             add_cylinder(surface, walls, w);
     }
     first[walls->count] = surface->triangles;
-    surface->load = memory_allocate_zero(surface->triangles, sizeof *surface->load, "triangles for output");
     if (context)
-        add_loads(surface, walls, context, first);
+        add_parts(surface, walls, context, first);
 }
 
 void wall_surface_free(struct wall_surface *surface) {
     memory_free(surface->corner);
     memory_free(surface->wall);
-    memory_free(surface->load);
+    memory_free(surface->part);
     *surface = (struct wall_surface){0};
 }
 

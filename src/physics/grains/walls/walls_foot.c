@@ -88,6 +88,20 @@ static struct surface triangles_surface(const struct wall_mesh *mesh, const int3
     return (struct surface){way * best.distance, law_scale(-way / best.distance, best.to)};
 }
 
+/* The surface of a field, in the body's frame; none beyond `reach`. */
+static struct surface field_surface(const struct wall_field *field, struct law_vector x, double reach) {
+    struct surface surface = {INFINITY, {0.0, 0.0, 1.0}};
+    struct law_vector gradient;
+    double distance;
+    if (!wall_field_near(field, x, reach, &distance, &gradient))
+        return surface;
+    double slope = sqrt(law_dot(gradient, gradient));
+    surface.distance = distance;
+    if (slope > 0.0)
+        surface.normal = law_scale(1.0 / slope, gradient);
+    return surface;
+}
+
 /* The surface of a mesh, in the body's frame; none beyond `reach`. */
 static struct surface mesh_surface(const struct wall *wall, struct law_vector x, double reach) {
     const struct wall_mesh *mesh = wall->mesh;
@@ -117,10 +131,18 @@ static struct surface surface_of(const struct walls *walls, const struct wall *w
         struct wall_cylinder cylinder = walls_cylinder(wall);
         return cylinder_surface(&cylinder, walls->box.dimension == 2, here);
     }
-    struct surface surface = mesh_surface(wall, walls_into_body(wall, here), reach);
+    struct law_vector x = walls_into_body(wall, here);
+    struct surface surface =
+        wall->field ? field_surface(wall->field, x, reach) : mesh_surface(wall, x, reach);
     if (wall->moving)
         surface.normal = wall_turn(wall->pose.rotation, surface.normal);
     return surface;
+}
+
+void walls_cover(struct walls *walls, double reach) {
+    for (int w = 0; w < walls->count; w++)
+        if (walls->wall[w].field)
+            wall_field_cover(walls->wall[w].field, reach);
 }
 
 void walls_foot(const struct walls *walls, int wall, const double x[3], double reach,

@@ -22,12 +22,12 @@ void walls_set_gravity(struct walls *walls, const double gravity[3]) {
     memcpy(walls->gravity, gravity, sizeof walls->gravity);
 }
 
-void walls_stagger(struct walls *walls, const struct wall_push *push, double dt) {
+void walls_stagger(struct walls *walls, const struct wall_push *push, double dt, double step) {
     for (int w = 0; w < walls->count; w++) {
         struct wall *wall = &walls->wall[w];
-        if (wall->free == NULL)
+        if (wall->free == NULL || (dt == 0.0 && !wall->free->new_velocity && !wall->free->new_omega))
             continue;
-        wall_free_stagger(wall->free, &push[w], walls->gravity, dt);
+        wall_free_stagger(wall->free, &push[w], walls->gravity, dt, step);
         wall->twist = wall_free_twist(wall->free);
     }
 }
@@ -67,6 +67,13 @@ double walls_energy(const struct walls *walls) {
     double sum = 0.0;
     for (int w = 0; w < walls->count; w++)
         sum += walls->wall[w].free ? walls->wall[w].free->full.energy : 0.0;
+    return sum;
+}
+
+double walls_motion(const struct walls *walls) {
+    double sum = 0.0;
+    for (int w = 0; w < walls->count; w++)
+        sum += walls->wall[w].free ? walls->wall[w].free->full.motion : 0.0;
     return sum;
 }
 

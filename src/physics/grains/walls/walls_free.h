@@ -11,13 +11,16 @@ bool walls_is_free(const struct walls *walls, int wall);
 /* The acceleration of free walls; 0 before. One thread. */
 void walls_set_gravity(struct walls *walls, const double gravity[3]);
 
-/* Moves the velocities of free walls back by half of dt, as integrator_stagger does for grains; `push` as of
- * walls_advance. One thread. */
-void walls_stagger(struct walls *walls, const struct wall_push *push, double dt);
+/* Moves the velocities of free walls back by half of dt, as integrator_stagger does for grains; those that are given since
+ * the last step, as of a wall that has just become free, by half of `step`, its length. `push` as of walls_advance. One thread. */
+void walls_stagger(struct walls *walls, const struct wall_push *push, double dt, double step);
 
 /* Finds velocities and energies of free walls at the full step, for walls_velocity, walls_energy and walls_taken. dt: the length of the steps by half
  * of which velocities lie behind. One thread. */
 void walls_full_step(struct walls *walls, const struct wall_push *push, double dt);
+
+/* The energy of motion and of springs of free walls, as walls_full_step found it. */
+double walls_motion(const struct walls *walls);
 
 /* The work that the dampers of free walls took, as walls_full_step found it. */
 double walls_taken(const struct walls *walls);

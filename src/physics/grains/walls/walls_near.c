@@ -186,9 +186,7 @@ static void cover(struct walls *walls, const struct size_classes *classes) {
     double reach = 0.0;
     for (int c = 0; c < classes->count; c++)
         reach = law_max(reach, classes->radius_max[c] + classes->margin[c][classes->count]);
-    for (int w = 0; w < walls->count; w++)
-        if (walls->wall[w].field)
-            wall_field_cover(walls->wall[w].field, reach);
+    walls_cover(walls, reach);
 }
 
 /* The results of one thread in its range of particles. */

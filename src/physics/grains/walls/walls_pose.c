@@ -46,6 +46,14 @@ static void go_on_free(struct wall *wall) {
     wall->twist = wall_free_twist(wall->free);
 }
 
+/* The load of the last evaluation, with its torque about the centre that the wall has now. */
+static void set_force(const struct wall *wall, const struct wall_pose *pose, double force[6]) {
+    struct law_vector arm = law_add(wall_vector(pose->centre), -1.0, wall->centre_now);
+    memcpy(force, pose->force, sizeof pose->force);
+    if (law_dot(arm, arm) > 0.0)
+        put(force + 3, law_add(wall_vector(pose->force + 3), 1.0, law_cross(arm, wall_vector(pose->force))));
+}
+
 void walls_set_pose(struct walls *walls, int wall, const struct wall_pose *pose) {
     struct wall *w = &walls->wall[wall];
     struct wall_transform rest = wall_transform_identity();
@@ -58,15 +66,16 @@ void walls_set_pose(struct walls *walls, int wall, const struct wall_pose *pose)
     w->twist = (struct wall_twist){0};
     if (w->free)
         go_on_free(w);
-    if (wall_moves(&w->options) && !(w->free && w->free->state.known == 0.0)) {
+    bool anew = w->free && (w->free->new_velocity || w->free->new_omega);
+    if (wall_moves(&w->options) && !anew) {
         w->twist.omega = wall_vector(pose->omega);
         w->twist.velocity =
             law_add(wall_vector(pose->velocity), -1.0, law_cross(w->twist.omega, wall_vector(pose->centre)));
     }
     w->moving = wall_moves(&w->options) || memcmp(&w->pose, &rest, sizeof rest) != 0;
-    memcpy(walls->force[wall], pose->force, sizeof pose->force);
     w->resumed = true;
     walls_follow(w);
+    set_force(w, pose, walls->force[wall]);
 }
 
 size_t walls_triangles(const struct walls *walls, int wall, double (**triangles)[9]) {

@@ -327,6 +327,55 @@ static void test_moving(void **state) {
     remove(path);
 }
 
+/* The foot of a place on a ball, as a fluid sees it: with a field the normal points along the radius, smoothly over facets; beyond the
+ * tiles the triangles tell. */
+static void test_foot(void **state) {
+    (void)state;
+    char path[64];
+    struct mesh file = ball(1.0);
+    double worst[2] = {0};
+    stl(path, "ball.stl", &file);
+    for (int k = 0; k < 2; k++) {
+        struct wall_options wall = hand_mesh(path);
+        struct world w;
+        struct wall_foot foot;
+        unsigned seed = 11;
+        wall.field = k == 1;
+        wall.field_spacing = 0.0625;
+        for (int d = 0; d < 3; d++)
+            wall.offset[d] = 2.0;
+        world_open(&w, hand_box(4.0), hand_law(LAW_HOOKE, 1.0, 0.0), &wall, 1, 1);
+        walls_cover(w.walls, 0.2);
+        for (int n = 0; n < 400; n++) {
+            double x[3], from[3], across[3], radius;
+            for (int d = 0; d < 3; d++)
+                from[d] = 2.0 * hand_random(&seed) - 1.0;
+            radius = hand_length(from);
+            for (int d = 0; d < 3; d++) {
+                from[d] /= radius;
+                x[d] = 2.0 + 0.98 * from[d];
+            }
+            walls_foot(w.walls, 0, x, 0.2, &foot);
+            assert_near(foot.distance, -0.02, 2e-3);
+            for (int d = 0; d < 3; d++)
+                across[d] = foot.normal[d] - from[d];
+            worst[k] = fmax(worst[k], hand_length(across));
+        }
+        walls_foot(w.walls, 0, (double[3]){2.2, 2.0, 2.0}, INFINITY, &foot);
+        assert_near(foot.distance, -0.8, 2e-3);
+        assert_near(foot.normal[0], 1.0, 0.02);
+        walls_foot(w.walls, 0, (double[3]){3.5, 2.0, 2.0}, INFINITY, &foot);
+        assert_near(foot.distance, 0.5, 2e-3);
+        walls_foot(w.walls, 0, (double[3]){3.5, 2.0, 2.0}, 0.4, &foot);
+        assert_true(isinf(foot.distance));
+        world_close(&w);
+    }
+    print_message("normals are off by %.2g with triangles and %.2g with a field\n", worst[0], worst[1]);
+    assert_true(worst[1] < 0.6 * worst[0] && worst[1] < 0.01);
+    mesh_free(&file);
+    remove(path);
+}
+
 static void test_refused(void **state) {
     (void)state;
     struct mesh file = cube();
@@ -349,4 +398,5 @@ static void test_refused(void **state) {
 }
 
 TEST_MAIN(wall_field, cmocka_unit_test(test_ball), cmocka_unit_test(test_cube), cmocka_unit_test(test_smooth),
-          cmocka_unit_test(test_bowl), cmocka_unit_test(test_moving), cmocka_unit_test(test_refused))
+          cmocka_unit_test(test_bowl), cmocka_unit_test(test_moving), cmocka_unit_test(test_foot),
+          cmocka_unit_test(test_refused))

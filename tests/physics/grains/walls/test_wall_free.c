@@ -23,7 +23,7 @@ static void begin(struct world *w) {
     walls_set_gravity(w->walls, w->motion.gravity);
     world_build(w);
     push_of(w, push);
-    walls_stagger(w->walls, push, w->motion.dt);
+    walls_stagger(w->walls, push, w->motion.dt, w->motion.dt);
 }
 
 static void steps(struct world *w, int count) {
@@ -326,6 +326,45 @@ static void test_go_on(void **state) {
     world_close(&two);
 }
 
+/* A velocity that is given anew acts on a wall that is free already, and goes half a step back; what is not given goes on; the same
+ * velocity once more changes nothing. */
+static void test_given(void **state) {
+    (void)state;
+    struct wall_options wall = box_wall(2.5, 2, 2, block, 3.0);
+    struct wall_push push[4] = {0};
+    struct wall_pose pose, after;
+    struct world one, two;
+    double *number, *copy;
+    memcpy(wall.free.omega, (double[3]){1.0, 3.0, 2.0}, sizeof wall.free.omega);
+    world_open(&one, hand_box(4.0), hand_law(LAW_HOOKE, 1.0, 0.0), &wall, 1, 1);
+    world_add(&one, 0.3, 0.3, 3.7, 0.1, 1.0);
+    one.motion.gravity[2] = -10.0;
+    begin(&one);
+    steps(&one, 100);
+    int count = walls_free_numbers(one.walls, 0, &number);
+    walls_pose(one.walls, 0, &pose);
+    wall.free.velocity_given = 3;
+    wall.free.velocity[2] = 2.0;
+    for (int k = 0; k < 2; k++) {
+        world_open(&two, hand_box(4.0), hand_law(LAW_HOOKE, 1.0, 0.0), &wall, 1, 1);
+        assert_int_equal(walls_free_numbers(two.walls, 0, &copy), count);
+        memcpy(copy, number, (size_t)count * sizeof *copy);
+        walls_set_gravity(two.walls, one.motion.gravity);
+        walls_set_pose(two.walls, 0, &pose);
+        walls_stagger(two.walls, push, 0.0, 1e-2);
+        walls_pose(two.walls, 0, &after);
+        assert_near(after.velocity[2], k == 0 ? 2.0 + 10.0 * 0.5e-2 : pose.velocity[2], 1e-12);
+        for (int d = 0; d < 3; d++) {
+            assert_near(after.omega[d], pose.omega[d], 1e-12);
+            assert_near(after.translation[d], pose.translation[d], 1e-12);
+        }
+        memcpy(number, copy, (size_t)count * sizeof *copy); /* as a checkpoint of the second run has them */
+        walls_pose(two.walls, 0, &pose);
+        world_close(&two);
+    }
+    world_close(&one);
+}
+
 /* Shapes without what a freedom needs are refused. */
 static void test_refused(void **state) {
     (void)state;
@@ -353,4 +392,5 @@ static void test_refused(void **state) {
 
 TEST_MAIN(wall_free, cmocka_unit_test(test_fall), cmocka_unit_test(test_rest), cmocka_unit_test(test_impact),
           cmocka_unit_test(test_paddle), cmocka_unit_test(test_tumble), cmocka_unit_test(test_spring),
-          cmocka_unit_test(test_yield), cmocka_unit_test(test_go_on), cmocka_unit_test(test_refused))
+          cmocka_unit_test(test_yield), cmocka_unit_test(test_go_on), cmocka_unit_test(test_given),
+          cmocka_unit_test(test_refused))
