@@ -15,8 +15,8 @@ dist_check_SCRIPTS += \
 	%D%/random_scenes.sh %D%/ranks.sh %D%/readers.sh %D%/report.sh %D%/reproducible.sh %D%/restart.sh \
 	%D%/resume.sh %D%/rocks.sh %D%/rocks_shown.sh %D%/rocks_sources.sh %D%/rocks_walls.sh %D%/shear.sh \
 	%D%/site.sh %D%/solver.sh %D%/solver_features.sh %D%/solver_newton.sh %D%/solver_pull.sh \
-	%D%/solver_resist.sh %D%/solver_table.sh %D%/stability.sh %D%/stages.sh %D%/stress.sh %D%/terminal.sh \
-	%D%/threads.sh %D%/unreadable.sh %D%/user_law.sh %D%/verify.sh %D%/view.sh
+	%D%/solver_resist.sh %D%/solver_rocks.sh %D%/solver_table.sh %D%/stability.sh %D%/stages.sh %D%/stress.sh \
+	%D%/terminal.sh %D%/threads.sh %D%/unreadable.sh %D%/user_law.sh %D%/verify.sh %D%/view.sh
 
 # faults.sh makes one message or one write too short by libraries that stand before MPI
 check_LTLIBRARIES += tests/app/cut_message.la tests/app/cut_write.la
