@@ -1,7 +1,9 @@
 #!/bin/sh
 # SPDX-License-Identifier: BSD-3-Clause
-# Rocks in a drum and in a hopper: run.sh [--quick] [-o DIR] [NAME...], NAME one of drum, hopper, angles. Draws DIR/drum.png and DIR/hopper.png; writes
+# Rocks in a drum and in a hopper: run.sh [--quick] [-o DIR] [NAME...], NAME one of drum, hopper, angles, solver. Draws DIR/drum.png and DIR/hopper.png; writes
 # DIR/angles.tsv, the slope of cubes in the drum, a row for each roundness: roundness, angle in degrees; the last row is of spheres.
+# solver (not among the usual ones): the drum by contact.solver beside explicit springs, soft as in drum.yaml and as stiff as wood; DIR/solver.tsv has the step, steps and
+# seconds on one thread for a second of the drum, the slope, the largest overlap over the radius of the ball.
 # --quick: seconds instead of minutes, as the tests do; it draws nothing. Further settings by SCREE_ARGS, ranks by SCREE_RANKS.
 set -e
 here=$(cd "$(dirname "$0")" && pwd)
@@ -44,6 +46,23 @@ angle() { # NAME ROUNDNESS
         END { for (k = int(NR / 2) + 1; k <= NR; k++) { s += a[k]; n++ } s *= 45 / atan2(1, 1) / n; printf "%s\t%.1f\n", name, s < 0 ? -s : s }' >>"$out/angles.tsv"
 }
 
+# cost NAME DURATION [FLAG...]: a row of solver.tsv
+cost() {
+    name=$1
+    duration=$2
+    shift 2
+    run "drum-$name" drum --set duration="$duration" --set threads=1 "$@"
+    seconds=$("$SCREE" info "$out/drum-$name/report.json" --get seconds)
+    steps=$("$SCREE" info "$out/drum-$name/report.json" --get steps)
+    dt=$("$SCREE" info "$out/drum-$name/report.json" --get dt)
+    awk -v name="$name" -v seconds="$seconds" -v steps="$steps" -v dt="$dt" \
+        'BEGIN { printf "%s\t%.3g\t%.4g\t%.3g\t", name, dt, 1 / dt, seconds / (steps * dt) }' >>"$out/solver.tsv"
+    awk -F, 'NR == 1 { for (k = 1; k <= NF; k++) { sub(/\[.*/, "", $k); at[$k] = k } next }
+        { a[NR] = atan2($at["centre_x"], -$at["centre_z"]); if ($at["overlap_max"] > most) most = $at["overlap_max"] }
+        END { for (k = int(NR / 2) + 1; k <= NR; k++) { s += a[k]; n++ } s *= 45 / atan2(1, 1) / n
+            printf "%.1f\t%.2g\n", s < 0 ? -s : s, most }' "$out/drum-$name/observables.csv" >>"$out/solver.tsv"
+}
+
 for one; do
     case $one in
     drum)
@@ -68,6 +87,15 @@ for one; do
         angle drum-spheres spheres
         cat "$out/angles.tsv"
         ;;
-    *) echo "run.sh: $one: allowed are drum, hopper and angles" >&2 && exit 2 ;;
+    solver)
+        time=$([ $quick = no ] && echo 1.5s || echo 0.1s)
+        printf 'run\tstep\tsteps\tseconds\tangle\toverlap\n' >"$out/solver.tsv"
+        cost solver "$time" --set step.fraction=0.3 --set contact='{law: rigid, solver: {sweeps: 20}}' --set material_pairs='[{restitution: 0.7, friction: 0.5}]'
+        cost springs "$time"
+        cost wood "$([ $quick = no ] && echo 0.05s || echo 2ms)" --set contact=hertz --set 'materials=[{name: wood, density: 1200, young: 10 GPa, poisson: 0.3}]' \
+            --set material_pairs='[{restitution: 0.7, friction: 0.5}]'
+        cat "$out/solver.tsv"
+        ;;
+    *) echo "run.sh: $one: allowed are drum, hopper, angles and solver" >&2 && exit 2 ;;
     esac
 done

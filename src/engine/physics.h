@@ -140,9 +140,10 @@ struct physics_grain {
     int shape; /* what its source names (struct source_form); 0: material and radius choose; -1: it stays a sphere */
 };
 
-/* A sphere of which a grain is made. */
+/* A sphere of which a grain is made; of a rock the ball around it. */
 struct physics_part {
     double radius, mass;
+    double inner; /* radius of the largest sphere about the centre that what it stands for holds */
 };
 
 /* Facet of a physics with interactions: which particles meet, and up to which distance. */

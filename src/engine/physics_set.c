@@ -159,7 +159,8 @@ bool physics_part(const struct physics_set *set, const struct physics_grain *gra
         return true;
     if (number > 0 || grain->variant > 0 || part_made(set, &any, 0, &first))
         return false;
-    *part = (struct physics_part){grain->radius, particles_sphere_mass(grain->radius, grain->density)};
+    *part = (struct physics_part){grain->radius, particles_sphere_mass(grain->radius, grain->density),
+                                  grain->radius};
     return true;
 }
 

@@ -52,6 +52,9 @@ clump='bodies.clumps=[{size: drawn, spheres: [{centre: [0, 0, 0], radius: 0.5 mm
 check 'bodies' run_scene 1 bed.yaml bodies --set "$clump" --set particles.sources[1].radius='1 mm'
 check 'on two ranks' run_scene 2 bed.yaml bodies2 --set "$clump" --set particles.sources[1].radius='1 mm'
 check 'bodies in two dimensions' run_scene 1 plane.yaml rods --set bodies.clumps='[{size: drawn, spheres: [{centre: [0, 0, 0], radius: 0.6 mm}, {centre: [0.7 mm, 0, 0], radius: 0.5 mm}]}]'
+rock='bodies.shapes=[{name: rock, random: {corners: 10, variants: 3}, roundness: 0.2}]'
+check 'rocks' run_scene 1 bed.yaml rocks --set "$rock" --set particles.sources[1].radius='1 mm'
+check 'on two ranks' run_scene 2 bed.yaml rocks2 --set "$rock" --set particles.sources[1].radius='1 mm'
 # each overlap that grows meets a strong damper, also in the step in which it begins
 check 'a spring by the law' run_scene 1 bed.yaml hertz --set contact.law=hertz --set materials[0].young=1e8 --set materials[0].poisson=0.3 --set guards.residual=stop
 check 'rigid rows' run_scene 1 bed.yaml rigid --resume springs/checkpoint-500.h5 --set contact.solver.kappa=.inf --set contact.solver.sweeps=100000 --set step.count=501 \
@@ -61,6 +64,7 @@ check 'which are' [ "$(files springs)" = 'contact-problem-500.hdf5 contact-probl
 if [ -x "$oracle" ]; then
     check 'Siconos finds the same velocities' agrees 1e-6 springs ranks plane rigid
     check 'of bodies, too' agrees 1e-6 bodies bodies2 rods
+    check 'of rocks' agrees 1e-6 rocks rocks2
     check 'and of springs by their tangents' agrees 1e-5 hertz
 else
     skip 'contact problems solved by Siconos: no Siconos here (Debian: libsiconos-numerics-dev)'

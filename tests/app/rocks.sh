@@ -178,7 +178,6 @@ check 'refused: a rounding that leaves nothing' refused 'leaves no core' --set "
 check 'refused: no bodies' refused 'needs clumps or shapes' --set bodies.shapes='[]'
 check 'refused: a periodic box that is too small' refused 'as large as a periodic edge' --set 'box={lower: [0, 0, 0], upper: [1.5, 5, 5], periodic: true}' --set particles.radius=0.7 --set walls='[]' --set observables.list='[{name: energy}]'
 check 'refused: cohesion' refused 'is for spheres' --set contact='{law: hertz, cohesion: {law: dmt}}' --set 'materials=[{name: rock, density: 1, young: 1e6, poisson: 0.3}]' --set 'material_pairs=[{restitution: 0.3, friction: 0.5, surface_energy: 1}]'
-check 'refused: a solver of contacts' refused 'not with\|spheres alone\|bodies' --set contact='{law: rigid, solver: {sweeps: 10}}' --set 'material_pairs=[{restitution: 0.3, friction: 0.5}]'
 check 'refused: a list of contacts' refused 'knows none of rocks' --set output.trajectory.contacts=100
 check 'refused: loads on walls' refused 'know none of rocks' --set output.walls.every=100
 check 'refused: two dimensions' refused 'in two dimensions' --set box.dimension=2 --set gravity=[0,-10,0] --set walls='[]' --set particles.position=[0,0,0] --set bodies.shapes[0].orientation=random --set bodies.shapes[0].quaternion=~ --set observables.list='[{name: energy}]'

@@ -127,6 +127,11 @@ static bool has_rocks(const struct physics_context *context) {
     return ((const struct bodies *)context->self)->rocks != NULL;
 }
 
+/* True if rocks find the forces of their contacts themselves: a solver asks for their points alone (rocks_near.h). */
+static bool rocks_touch(const struct physics_context *context) {
+    return has_rocks(context) && !grains_solved(context);
+}
+
 static void act(const struct physics_context *context) {
     rocks_act(context->self, context);
 }
@@ -136,7 +141,7 @@ static void sum(const struct physics_context *context) {
 }
 
 static struct history_rows *rows_of(const struct physics_context *context) {
-    return has_rocks(context) ? rocks_rows(context->self, context) : NULL;
+    return rocks_touch(context) ? rocks_rows(context->self, context) : NULL;
 }
 
 /* The law leaves the contacts of balls around rocks to rocks_act. */
@@ -296,13 +301,13 @@ static const struct physics_pass passes[] = {{.name = "bodies",
                                               .place = PASS_SHARES,
                                               .reads = "position velocity angular_velocity orientation",
                                               .writes = "force torque",
-                                              .needed = has_rocks,
+                                              .needed = rocks_touch,
                                               .whole = act},
                                              {.name = "rocks_sum",
                                               .why = "bodies.shapes",
                                               .place = PASS_CLOSE,
                                               .timer = "rocks",
-                                              .needed = has_rocks,
+                                              .needed = rocks_touch,
                                               .whole = sum}};
 
 static const struct physics_maker maker = {

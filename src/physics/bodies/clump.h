@@ -65,6 +65,7 @@ struct clump {
     struct solid
         core;        /* of a rock, in this frame: its one sphere is the ball around it. No corners: a clump */
     double rounding; /* of a rock: it is all that is nearer than this to the core */
+    double inner; /* of a rock: radius of the sphere about the centre of mass that touches its nearest face */
     double
         corner; /* of a rock: how far a push on a corner moves it, over one on its middle (physics/bodies/shapes/stiff.h) */
     double seat[3]; /* of a rock: a contact along its faces (physics/bodies/shapes/stiff.h) */
@@ -74,6 +75,11 @@ struct clump {
 bool clump_make(struct clump *clump, const struct scene *scene, int number,
                 const struct clump_options *options, struct error *error);
 void clump_free(struct clump *clump);
+
+/* The radius of the largest sphere about the centre of sphere `number` in what it stands for: of a rock in the rock. */
+static inline double clump_inner(const struct clump *clump, int number) {
+    return clump->core.corners > 0 ? clump->inner : clump->sphere[number].radius;
+}
 
 /* Mass of a body of which all lengths are `scale` x those of the shape. */
 double clump_mass(const struct clump *clump, double scale, double density);

@@ -288,6 +288,7 @@ bool place_part(const struct bodies *bodies, uint64_t seed, const struct physics
     const struct clump *clump = &bodies->clump[shape];
     const double scale = ball_of(bodies, shape, grain->radius) / clump->extent;
     *part = (struct physics_part){.radius = scale * clump->sphere[number].radius,
+                                  .inner = scale * clump_inner(clump, number),
                                   .mass = clump->share[number] * clump_mass(clump, scale, grain->density)};
     return true;
 }

@@ -140,6 +140,7 @@ static bool solid_take(struct solid *solid, const struct scene *scene, int numbe
 /* The ball around the rock as its only sphere, which has all of its mass. */
 static void ball_make(struct clump *clump) {
     clump->extent = solid_extent(&clump->core) + clump->rounding;
+    clump->inner = solid_depth(&clump->core, (double[3]){0}) + clump->rounding;
     clump->ease = 1;
     clump->corner = stiff_corner(&clump->core, clump->gyration);
     stiff_seat(&clump->core, clump->rounding, clump->gyration, clump->seat);

@@ -35,6 +35,10 @@ void rocks_member(const struct particles *particles, size_t m, int shape, const 
 /* The number of the shape of a rock, if a particle, owned or a copy, is the ball around one; else -1. */
 int rocks_shape(const struct particles *particles, size_t i);
 
+/* The radius of the largest sphere about the centre of a particle in what it stands for: its own, but of the ball around a rock. `bodies`
+ * may be NULL. */
+double rocks_inner(const struct bodies *bodies, const struct particles *particles, size_t i);
+
 /* Their part in the stability of the present contacts (physics/grains/motion/stability.h): each end of a contact counts with the
  * largest eigenvalue of the contact (physics/bodies/shapes/stiff.h), whatever its direction; and the largest L_i + L_j. */
 struct stability;

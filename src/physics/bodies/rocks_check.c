@@ -20,10 +20,6 @@ static bool check_law(const struct physics_context *context, struct error *error
     if (law->options.lammps_history || law->options.lammps_granular)
         return scene_fail(scene, error, "bodies.shapes",
                           "a law to the letter of LAMMPS is for spheres: not with rocks");
-    if (scene->law.solved)
-        return scene_fail(scene, error, "bodies.shapes",
-                          "contact.solver knows spheres and bodies of spheres: rocks touch by an explicit "
-                          "law (not built yet)");
     return true;
 }
 
@@ -34,9 +30,10 @@ bool rocks_check(const struct physics_context *context, struct error *error) {
         return true;
     if (scene->physics_given[PHYSICS_heat])
         return scene_fail(scene, error, "bodies.shapes", "together with heat: not built yet");
-    if (output_interval_set(&scene->output.trajectory.contacts))
+    if (output_interval_set(&scene->output.trajectory.contacts) && !scene->law.solved)
         return scene_fail(scene, error, "output.trajectory.contacts",
-                          "the list of contacts knows none of rocks (bodies.shapes): not built yet");
+                          "without contact.solver the list of contacts knows none of rocks (bodies.shapes): "
+                          "not built yet");
     if (output_interval_set(&scene->output.walls.every))
         return scene_fail(scene, error, "output.walls",
                           "the loads on walls know none of rocks (bodies.shapes): not built yet");

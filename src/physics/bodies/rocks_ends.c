@@ -61,6 +61,12 @@ static bool joined(const struct rocks_scene *scene, const struct rocks_pair *pai
     return false;
 }
 
+/* The radius of the largest sphere about the centre of a particle that it holds. */
+static double inner_of(const struct rocks_scene *scene, uint32_t i) {
+    int32_t stand = scene->rocks->stand_of[i];
+    return stand >= 0 ? scene->rocks->stand[stand].inner : scene->particles->state[i].radius;
+}
+
 bool rocks_ends_make(const struct rocks_scene *scene, const struct rocks_pair *pair,
                      struct rocks_ends *ends) {
     const struct particle_state *a = &scene->particles->state[pair->end[0]], *b = NULL;
@@ -69,6 +75,7 @@ bool rocks_ends_make(const struct rocks_scene *scene, const struct rocks_pair *p
     ends->posed[0] = posed_of(scene, pair->end[0]);
     ends->radius = ends->posed[0].rounding;
     ends->ball = a->radius;
+    ends->inner = inner_of(scene, pair->end[0]);
     memcpy(ends->centre, a->x, sizeof ends->centre);
     memcpy(ends->turn, ends->posed[0].turn, sizeof ends->turn);
     if (pair->wall >= 0) {
@@ -81,11 +88,12 @@ bool rocks_ends_make(const struct rocks_scene *scene, const struct rocks_pair *p
         b = &scene->particles->state[pair->end[1]];
         inverse += b->inverse_mass;
         rocks_apart(pair, scene->particles, scene->list, ends->apart);
-        if (!(vector_dot(ends->apart, ends->apart) < (a->radius + b->radius) * (a->radius + b->radius)) ||
-            joined(scene, pair))
+        double most = a->radius + b->radius + scene->reach;
+        if (!(vector_dot(ends->apart, ends->apart) < most * most) || joined(scene, pair))
             return false;
         ends->posed[1] = posed_of(scene, pair->end[1]);
         ends->ball = fmin(a->radius, b->radius);
+        ends->inner = fmin(ends->inner, inner_of(scene, pair->end[1]));
         ends->radius *= ends->posed[1].rounding / (ends->posed[0].rounding + ends->posed[1].rounding);
     }
     material[1] =
@@ -118,11 +126,12 @@ int rocks_features(const struct rocks_scene *scene, struct rocks_pair *pair, con
                    struct walls_probe *probe, struct features *features) {
     double normal[3];
     features->count = 0;
+    features->reach = scene->reach;
     if (pair->wall >= 0) {
         rocks_wall_features(scene, pair, ends, probe, features);
         groups_sort(features);
     } else {
-        touch_find(&ends->posed[0], &ends->posed[1], ends->apart, &pair->simplex, features, normal);
+        touch_near(&ends->posed[0], &ends->posed[1], ends->apart, &pair->simplex, features, normal);
     }
     return features->count;
 }

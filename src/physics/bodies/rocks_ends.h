@@ -20,6 +20,7 @@ struct rocks_scene {
     struct law_step step;
     const double (*omega)[4];
     const uint8_t *material;
+    double reach; /* largest gap of features that count; 0: of those that touch */
 };
 
 /* Both ends of a contact. */
@@ -28,15 +29,16 @@ struct rocks_ends {
     double apart[3], centre[3]; /* centre: of the first end; of a wall in its image */
     double mass, radius;        /* effective */
     double ball;                /* the smaller radius of both balls */
+    double inner;               /* the smaller radius of both inside: of a sphere its own (clump.h) */
     const struct law_coefficients *coefficients;
     const struct law_extra *extra;
     double turn[9]; /* of the first end */
 };
 
-/* Fills what contacts share, and brings all rocks to their orientations. Opens its own team. */
+/* Fills what contacts share, without a reach, and brings all rocks to their orientations. Opens its own team. */
 void rocks_scene_make(struct rocks *rocks, const struct physics_context *context, struct rocks_scene *scene);
 
-/* Fills both ends; false: they cannot touch, another physics stands for their contact, or nothing moves them. Any thread. */
+/* Fills both ends; false: they are out of reach, another physics stands for their contact, or nothing moves them. Any thread. */
 bool rocks_ends_make(const struct rocks_scene *scene, const struct rocks_pair *pair, struct rocks_ends *ends);
 
 /* Finds the features of a pair's contacts, group by group; returns their number. Any thread, once a pair, with a probe of the

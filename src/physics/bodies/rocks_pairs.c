@@ -86,6 +86,12 @@ void rocks_turn(const struct bodies *bodies, const struct particles *particles) 
             memcpy(orientation[l->member[k]], l->state[b] + 9, sizeof orientation[l->member[k]]);
 }
 
+double rocks_inner(const struct bodies *bodies, const struct particles *p, size_t i) {
+    const int shape = bodies && bodies->rocks ? rocks_shape(p, i) : -1;
+    const double radius = p->state[i].radius;
+    return shape < 0 ? radius : radius / bodies->clump[shape].extent * bodies->clump[shape].inner;
+}
+
 /* Lists the rocks among particles and copies. */
 static void stands_make(struct bodies *bodies, const struct particles *p) {
     struct rocks *rocks = bodies->rocks;
@@ -113,6 +119,7 @@ static void stands_make(struct bodies *bodies, const struct particles *p) {
                                       .turn = stand->turn,
                                       .scale = scale,
                                       .rounding = scale * clump->rounding};
+        stand->inner = rocks_inner(bodies, p, k);
         corners += (size_t)clump->core.corners;
     }
 }
@@ -142,6 +149,7 @@ static void pairs_take(struct rocks *rocks, const struct particles *p, const str
         pair->gives[!turned] = visit.j < p->owned || newton;
         pair->turned = turned;
         pair->image = (uint8_t)visit.image;
+        pair->number = (uint32_t)visit.k;
         pair->wall = -1;
     }
 }

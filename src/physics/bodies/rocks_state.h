@@ -28,6 +28,7 @@ struct rocks_pair {
     int wall;        /* -1: a pair */
     struct wall_group group; /* of a wall: its pieces nearby ... */
     double normal[3];        /* ... and the normal of the deepest contact with it, towards it */
+    uint32_t number;         /* of the pair in the list */
     uint8_t image;           /* image code of the pair's second particle in the list ... */
     bool turned;             /* ... which is the first end */
     bool gives[2];           /* which ends get the force here */
@@ -52,6 +53,7 @@ struct rocks_stand {
     double turn[9];
     double (*corner)[3];
     struct posed posed;
+    double inner; /* radius of the sphere about the centre that lies inside */
 };
 
 struct rocks {

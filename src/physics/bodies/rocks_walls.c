@@ -5,7 +5,7 @@
 #include <math.h>
 #include <string.h>
 
-/* Corners look for walls as far as this many roundings, to find those that they have crossed. */
+/* Corners look for walls as far as this many roundings beyond the reach, to find those that they have crossed. */
 static const double corner_reach = 2;
 
 /* A rock and a wall. */
@@ -45,8 +45,8 @@ static void corner_take(const struct meeting *meeting, int k) {
     const double *corner = meeting->rock->corner[k], rounding = meeting->rock->rounding;
     double place[3];
     place_of(meeting, corner, place);
-    walls_group_touch(meeting->scene->walls, &meeting->pair->group, place, corner_reach * rounding,
-                      meeting->probe);
+    walls_group_touch(meeting->scene->walls, &meeting->pair->group, place,
+                      corner_reach * rounding + meeting->scene->reach, meeting->probe);
     for (size_t c = 0; c < meeting->probe->corners; c++) {
         struct wall_corner touch = meeting->probe->corner[c];
         if (has_crossed(meeting, &touch, corner)) {
@@ -119,7 +119,7 @@ void rocks_wall_features(const struct rocks_scene *scene, const struct rocks_pai
     struct meeting meeting = {scene, pair, &ends->posed[0], centre, probe, features};
     for (int k = 0; k < meeting.rock->core->corners; k++)
         corner_take(&meeting, k);
-    walls_group_edges(scene->walls, &pair->group, centre, ends->ball, probe);
+    walls_group_edges(scene->walls, &pair->group, centre, ends->ball + scene->reach, probe);
     for (size_t e = 0; e < probe->edges; e++)
         edge_take(&meeting, &probe->edge[e]);
     for (size_t v = 0; v < probe->vertices; v++)

@@ -20,8 +20,10 @@ struct force_context *grains_contact(const struct physics_context *context) {
 
 const struct pairlist *grains_list(const struct physics_context *context) {
     const struct physics_set *set = context->set;
+    const struct grains *grains = grains_of(set);
+    const void *finds = grains->contact.solver ? grains->contact.solver : grains;
     for (int k = 0; k < set->count; k++)
-        if (set->active[k].row == &grains_physics)
+        if (set->active[k].context.self == finds)
             return set->active[k].context.list[0];
     return NULL;
 }

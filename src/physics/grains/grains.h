@@ -68,7 +68,7 @@ struct walls *grains_walls(const struct physics_context *context);
 /* The contacts: a physics may ask for their work in its `create`. */
 struct force_context *grains_contact(const struct physics_context *context);
 
-/* The pair list of the contacts, new after each rebuild. */
+/* The pair list of the contacts, that of a solver where one finds them; new after each rebuild. */
 const struct pairlist *grains_list(const struct physics_context *context);
 
 /* The motion of groups; a physics that carries grains sets `carried`. */

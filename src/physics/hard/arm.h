@@ -28,7 +28,11 @@ struct hard_local;
 typedef void hard_relaxation(const struct hard_local *local, double p[3]);
 
 struct hard_arm {
-    double lever[2][3];    /* from the centre of mass of each body to the point of contact */
+    double lever[2][3]; /* from the centre of mass of each body to the point of contact */
+    double branch
+        [3]; /* from the first sphere, or ball around a rock, to the second one; of a wall to the point */
+    double
+        start[3]; /* velocity of the second surface relative to the first without the contacts of the step */
     const double *turn[2]; /* inverse inertia over `swing` of each body; NULL: 1 */
     hard_relaxation *relax;
 };

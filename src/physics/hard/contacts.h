@@ -12,6 +12,7 @@
 #include "physics/hard/pairs.h"
 #include "physics/hard/models.h"
 #include "physics/hard/problem.h"
+#include "physics/hard/offers.h"
 #include "physics/hard/thin.h"
 #include "physics/grains/walls/wall.h"
 
@@ -57,9 +58,13 @@ struct hard_wall_memory {
     struct hard_couple couple;
 };
 
-/* One contact with a wall in the step. */
+/* One contact with a wall in the step, of a sphere or of a point of a rock. */
 struct hard_wall_contact {
     struct wall_place place;
+    bool rock;
+    double arm[3]; /* of a rock: from the centre of the particle to the point */
+    double radius; /* of the surface */
+    double size;   /* struct hard_touch */
     struct hard_memory memory;
     struct hard_couple couple;
     uint32_t body;  /* of the particle, or that carries it */
@@ -74,6 +79,7 @@ struct hard_scene {
     struct walls *walls; /* NULL: none */
     const struct pairlist *list;
     const struct hard_clumps *clumps;
+    struct hard_rocks *rocks; /* its offers are found anew in each step */
     int threads;
 };
 
@@ -87,6 +93,8 @@ struct hard_pace {
 
 struct hard_contacts {
     uint32_t *pair; /* of each row of a pair: its number in struct hard_pairs */
+    uint32_t *spot; /* the same: its offer, if a rock is one of the pair; only where the scene has rocks */
+    size_t spot_room;
     size_t pair_rows, pair_room;
     size_t walls, wall_room;
     struct hard_wall_contact *wall; /* of the rows behind those of pairs, by body */
@@ -96,7 +104,8 @@ struct hard_contacts {
     size_t arm_room;
     struct hard_resist *resist; /* of each row, where some resist */
     size_t resist_room;
-    uint8_t *dropped; /* of each pair: other contacts of its bodies stand for it (thin.h) */
+    uint8_t *
+        dropped; /* of each pair, then of each offer of rocks: other contacts of its bodies stand for it (thin.h) */
     size_t dropped_room;
     struct hard_point *point;
     size_t point_room;
@@ -116,9 +125,9 @@ void hard_contacts_find(struct hard_contacts *contacts, struct hard_problem *pro
                         struct hard_pairs *pairs, const struct hard_scene *scene,
                         const struct hard_terms *terms, const struct hard_pace *pace);
 
-/* The spheres of a contact, and what it remembers; a wall is the second one, with an infinite radius. */
+/* The surfaces of a contact (struct hard_touch), and what it remembers. */
 struct hard_ends {
-    double radius[2];
+    double radius[2], size;
     double light; /* sum of 1/mass; of members by their shares of the mass */
     const struct hard_memory *memory;
     const struct hard_couple *couple; /* of a row that resists */
@@ -150,7 +159,8 @@ void hard_contacts_ends(const struct hard_contacts *contacts, const struct hard_
 /* Turns what contacts remember into rows of the pairs (pairs.h), those with walls with a negative partner; takes these back
  * before hard_pairs_make. */
 void hard_contacts_detach(const struct hard_contacts *contacts, struct hard_pairs *pairs,
-                          const struct pairlist *list, const struct particles *particles);
+                          const struct hard_rocks *rocks, const struct pairlist *list,
+                          const struct particles *particles);
 /* Gives the rows of walls the numbers that these have now, by the old number; -1: the wall is gone. */
 void hard_contacts_rename(const struct hard_pairs *pairs, struct history_rows *rows, const int *now,
                           int walls, size_t owned);
@@ -159,6 +169,6 @@ void hard_contacts_attach(struct hard_contacts *contacts, const struct hard_pair
 
 /* Gives all contacts that are no impacts the memory of the solved problem. */
 void hard_contacts_remember(struct hard_contacts *contacts, const struct hard_problem *problem,
-                            struct hard_pairs *pairs, const struct hard_pace *pace);
+                            struct hard_pairs *pairs, struct hard_rocks *rocks, const struct hard_pace *pace);
 
 #endif

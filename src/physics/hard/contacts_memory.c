@@ -40,10 +40,32 @@ static int by_particle(const void *a, const void *b) {
     return x->feature < y->feature ? -1 : x->feature > y->feature;
 }
 
+/* Points of rocks remember, in the order of their pairs. */
+static void points_remember(const struct hard_contacts *contacts, const struct hard_problem *problem,
+                            struct hard_rocks *rocks, const struct hard_pace *pace) {
+    hard_rocks_forget(rocks);
+    for (size_t r = 0; rocks->rocks && r < contacts->pair_rows; r++) {
+        const struct hard_row *row = &problem->row[r];
+        if (hard_rocks_of(rocks, contacts->pair[r]) < 0)
+            continue;
+        const struct hard_offer *offer = &rocks->offer[contacts->spot[r]];
+        struct hard_past past = {.pair = contacts->pair[r],
+                                 .key = offer->key,
+                                 .memory = memory_of(row, pace),
+                                 .couple = couple_of(row, pace)};
+        memcpy(past.place, offer->place, sizeof past.place);
+        hard_rocks_remember(rocks, &past);
+    }
+}
+
 void hard_contacts_remember(struct hard_contacts *contacts, const struct hard_problem *problem,
-                            struct hard_pairs *pairs, const struct hard_pace *pace) {
+                            struct hard_pairs *pairs, struct hard_rocks *rocks,
+                            const struct hard_pace *pace) {
+    points_remember(contacts, problem, rocks, pace);
 #pragma omp parallel for schedule(static)
     for (size_t r = 0; r < contacts->pair_rows; r++) {
+        if (hard_rocks_of(rocks, contacts->pair[r]) >= 0)
+            continue;
         pairs->memory[contacts->pair[r]] = memory_of(&problem->row[r], pace);
         if (pairs->couple)
             pairs->couple[contacts->pair[r]] = couple_of(&problem->row[r], pace);
@@ -80,20 +102,25 @@ void hard_contacts_rename(const struct hard_pairs *pairs, struct history_rows *r
 }
 
 void hard_contacts_detach(const struct hard_contacts *contacts, struct hard_pairs *pairs,
-                          const struct pairlist *list, const struct particles *particles) {
-    struct history_rows *rows = &pairs->rows, all = {0};
+                          const struct hard_rocks *rocks, const struct pairlist *list,
+                          const struct particles *particles) {
+    struct history_rows *rows = &pairs->rows, all = {0}, points = {0};
     if (rows->start)
         return;
     hard_pairs_detach(pairs, list, particles);
+    if (rocks->rocks)
+        hard_rocks_detach(rocks, pairs, &points);
     all.start = memory_allocate(particles->owned + 1, sizeof *all.start, what);
-    all.row = memory_allocate(rows->count + contacts->pasts, sizeof *all.row, what);
+    all.row = memory_allocate(rows->count + contacts->pasts + points.count, sizeof *all.row, what);
     for (size_t k = 0, p = 0; k < particles->owned; k++) {
         all.start[k] = all.count;
         for (size_t r = rows->start[k]; r < rows->start[k + 1]; r++, all.count++) {
             all.row[all.count] = rows->row[r];
-            for (int c = pairs->history->components; c < HISTORY_COMPONENTS_USUAL; c++)
+            for (int c = pairs->history->components; c < HISTORY_COMPONENTS_MAX; c++)
                 all.row[all.count].value[c] = 0.0;
         }
+        for (size_t r = rocks->rocks ? points.start[k] : 0; rocks->rocks && r < points.start[k + 1]; r++)
+            all.row[all.count++] = points.row[r];
         for (; p < contacts->pasts && contacts->past[p].particle == k; p++) {
             const struct hard_wall_memory *past = &contacts->past[p];
             struct history_row *row = &all.row[all.count++];
@@ -103,6 +130,7 @@ void hard_contacts_detach(const struct hard_contacts *contacts, struct hard_pair
         }
     }
     all.start[particles->owned] = all.count;
+    history_rows_free(&points);
     history_rows_free(rows);
     *rows = all;
 }

@@ -120,7 +120,7 @@ void hard_row_finish(struct hard_row *row, const struct hard_problem *problem, c
     const struct hard_memory *memory = ends->memory;
     const struct hard_body *a = &problem->body[row->body[0]], *b = &problem->body[row->body[1]];
     const double *radius = ends->radius;
-    double u[3], smaller = fmin(radius[0], radius[1]), push = hard_push(row, a, b);
+    double u[3], smaller = ends->size, push = hard_push(row, a, b);
     double effective = isinf(radius[1]) ? radius[0] : radius[0] * radius[1] / (radius[0] + radius[1]);
     row->friction = term->friction;
     row->restitution = term->restitution;

@@ -152,11 +152,14 @@ void hard_general_wish(struct hard_row *row, double dt, const struct hard_body *
     row->deep = next.deep;
 }
 
-/* Energy that the impulses of a contact add. */
-static double gain(const struct framed *f) {
+/* Energy that the impulses of a contact add: they act at the mean of the velocities before the step and behind. Over all contacts
+ * these are the change of the energy, so that none of several impacts of one body pays for another. */
+static double gain(const struct framed *f, const struct hard_row *row) {
     double sum = 0.0;
-    for (int d = 0; d < 3; d++)
-        sum += f->p[d] * (f->free[d] + 0.5 * vector_dot(f->w + 3 * d, f->p));
+    for (int d = 0; d < 3; d++) {
+        double before = vector_dot(f->axis[d], row->arm->start);
+        sum += 0.5 * f->p[d] * (before + f->free[d] + vector_dot(f->w + 3 * d, f->p));
+    }
     return sum;
 }
 
@@ -175,11 +178,11 @@ void hard_general_rebound(const struct hard_row *row, const struct hard_body *a,
     framed_make(&f, row, a, b);
     double whole = row->restitution * row->approach, low = 0.0, high = 1.0;
     part(&f, row, whole);
-    if (gain(&f) > 0.0) {
+    if (gain(&f, row) > 0.0) {
         for (int k = 0; k < SCALE_STEPS; k++) {
             double middle = 0.5 * (low + high);
             part(&f, row, middle * whole);
-            if (gain(&f) > 0.0)
+            if (gain(&f, row) > 0.0)
                 high = middle;
             else
                 low = middle;

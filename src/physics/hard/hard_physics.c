@@ -34,6 +34,7 @@ static void *create(const struct physics_context *context) {
     grains_contact(context)->solver = hard;
     solver->comm = solver->newton.comm = context->comm;
     solver->newton.clumps = &solver->clumps;
+    hard_rocks_create(&solver->rocks, context);
     solver->options = *(const struct hard_options *)context->options;
     solver->threads = context->threads;
     hard_terms_make(&solver->terms, context, &solver->options);
@@ -52,6 +53,7 @@ static void destroy(void *self) {
     hard_problem_free(&hard->solver.problem);
     hard_border_free(&hard->solver.border);
     hard_clumps_free(&hard->solver.clumps);
+    hard_rocks_free(&hard->solver.rocks);
     hard_newton_free(&hard->solver.newton);
     memory_free(hard->solver.terms.pair);
     memory_free(hard);
@@ -74,6 +76,7 @@ static struct hard_input input_of(const struct physics_context *context) {
                                          .walls = grains_walls(context),
                                          .list = context->list[0],
                                          .clumps = &hard->solver.clumps,
+                                         .rocks = &hard->solver.rocks,
                                          .threads = context->threads},
                                .particles = context->particles,
                                .prescribed = prescribes(grains_motion(context)),
@@ -88,11 +91,12 @@ static struct hard_input input_of(const struct physics_context *context) {
 static struct history_rows *rows(const struct physics_context *context) {
     struct hard *hard = context->self;
     if (context->list[0]) /* a resume asks before there are lists */
-        hard_contacts_detach(&hard->solver.contacts, &hard->solver.pairs, context->list[0],
-                             context->particles);
-    const struct history *history = hard->solver.pairs.history;
+        hard_contacts_detach(&hard->solver.contacts, &hard->solver.pairs, &hard->solver.rocks,
+                             context->list[0], context->particles);
+    const int components =
+        hard->solver.pairs.history->components + (hard->solver.rocks.rocks ? HARD_ROCK_ROW : 0);
     hard->solver.pairs.rows.components =
-        history->components > HISTORY_COMPONENTS_USUAL ? history->components : HISTORY_COMPONENTS_USUAL;
+        components > HISTORY_COMPONENTS_USUAL ? components : HISTORY_COMPONENTS_USUAL;
     return &hard->solver.pairs.rows;
 }
 
@@ -106,6 +110,8 @@ static void rebuilt(const struct physics_context *context) {
     hard_contacts_attach(&solver->contacts, &solver->pairs, context->particles);
     hard_pairs_make(&solver->pairs, context->list[0], context->particles, context->box,
                     context->scene->ghosts.newton, &solver->clumps);
+    hard_rocks_link(&solver->rocks, &solver->pairs);
+    history_rows_free(&solver->pairs.rows);
 }
 
 /* The reach that the present speeds ask for, with room to grow; true if it differs much from the present one. */

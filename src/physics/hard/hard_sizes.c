@@ -4,6 +4,7 @@
 #include "kernel/particles/groups.h"
 #include "kernel/particles/kinds.h"
 #include "physics/bodies/bodies_fields.h"
+#include "physics/bodies/rocks.h"
 #include "physics/grains/grains.h"
 #include "physics/grains/motion/carried.h"
 #include "physics/grains/sorts.h"
@@ -28,7 +29,7 @@ static void particle_count(const struct physics_context *context, size_t k, stru
     }
     if ((kind && kind[k] != KIND_GRAIN) || !(state->inverse_mass > 0.0))
         return;
-    sizes->smallest = fmin(sizes->smallest, state->radius);
+    sizes->smallest = fmin(sizes->smallest, rocks_inner(bodies_of(context->set), p, k));
     if (!body || body[k] < 0)
         mass_count(sizes, 1.0 / state->inverse_mass);
 }
@@ -39,7 +40,7 @@ static void grain_count(void *data, const struct physics_context *context, struc
     struct physics_part part;
     for (grain.variant = 0; physics_part(context->set, &grain, 0, &part); grain.variant++) {
         for (int n = 0; physics_part(context->set, &grain, n, &part); n++)
-            sizes->smallest = fmin(sizes->smallest, part.radius);
+            sizes->smallest = fmin(sizes->smallest, part.inner);
         mass_count(sizes, physics_mass(context->set, &grain));
     }
 }

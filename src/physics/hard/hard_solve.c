@@ -2,11 +2,12 @@
 /* The step of hard contacts. Read hard_solve.h and row.h first. */
 #include "physics/hard/hard_solve.h"
 #include "base/memory.h"
+#include "kernel/particles/spin.h"
 #include <limits.h>
 #include <string.h>
 
-/* The residual is looked at every so many sweeps; restitution takes so many. */
-enum { LOOK_EVERY = 5, REBOUND_SWEEPS = 8 };
+/* The residual is looked at every so many sweeps; restitution takes so many, where bodies touch at several points more. */
+enum { LOOK_EVERY = 5, REBOUND_SWEEPS = 8, REBOUND_SWEEPS_BODIES = 40 };
 
 static double size_of(const double a[3]) {
     return sqrt(vector_dot(a, a));
@@ -18,12 +19,17 @@ double hard_solver_wants(const struct hard_input *input, double fastest) {
 }
 
 double hard_solver_fastest(const struct hard_solver *solver, const struct particles *particles) {
-    double square = 0.0;
-#pragma omp parallel for schedule(static) reduction(max : square)
-    for (size_t k = 0; k < particles->owned; k++)
+    const double(*omega)[4] = spin_values(particles);
+    double square = 0.0, turning = 0.0;
+#pragma omp parallel for schedule(static) reduction(max : square, turning)
+    for (size_t k = 0; k < particles->owned; k++) {
         square = fmax(square, vector_dot(particles->state[k].v, particles->state[k].v));
-    comm_max(solver->comm, &square, 1);
-    return sqrt(square);
+        if (omega && hard_rocks_is(&solver->rocks, (uint32_t)k))
+            turning = fmax(turning, particles->state[k].radius * size_of(omega[k]));
+    }
+    double most = sqrt(square) + turning;
+    comm_max(solver->comm, &most, 1);
+    return most;
 }
 
 /* The acceleration of particle k without contacts: by gravity, and by the force of a calling program. */
@@ -128,7 +134,8 @@ static void rebound(struct hard_solver *solver, struct hard_result *result) {
             sweep(solver, result);
         return;
     }
-    for (int k = 0; k < REBOUND_SWEEPS; k++) {
+    const int sweeps = solver->clumps.links ? REBOUND_SWEEPS_BODIES : REBOUND_SWEEPS;
+    for (int k = 0; k < sweeps; k++) {
         double any = hard_problem_rebounds(problem);
         comm_max(solver->comm, &any, 1);
         if (any <= 0.0)
@@ -209,7 +216,7 @@ static void walls_give(const struct hard_solver *solver, const struct hard_input
 /* The branch of a row, and the force on its second body. */
 static void pull_of(const struct hard_row *row, double duration, double branch[3], double force[3]) {
     for (int d = 0; d < 3; d++) {
-        branch[d] = (row->lever[0] + row->lever[1]) * row->normal[d];
+        branch[d] = row->arm ? row->arm->branch[d] : (row->lever[0] + row->lever[1]) * row->normal[d];
         force[d] = (hard_net(row) * row->normal[d] + row->q[d]) / duration;
     }
 }
@@ -331,5 +338,5 @@ void hard_solver_step(struct hard_solver *solver, const struct hard_input *input
     walls_give(solver, input, result);
     account(solver, input, result);
     solver->exact = solver->options.method == HARD_NEWTON && result->residual <= solver->options.tolerance;
-    hard_contacts_remember(&solver->contacts, problem, &solver->pairs, &pace);
+    hard_contacts_remember(&solver->contacts, problem, &solver->pairs, &solver->rocks, &pace);
 }

@@ -51,6 +51,7 @@ struct hard_solver {
     struct hard_problem problem;
     struct hard_border border;
     struct hard_clumps clumps;
+    struct hard_rocks rocks;
     struct hard_newton newton;
     bool exact;      /* Newton's method has met the residual of the last step */
     double duration; /* of the impulses of the last step */
@@ -68,7 +69,7 @@ void hard_solver_step(struct hard_solver *solver, const struct hard_input *input
 size_t hard_solver_list(const struct hard_solver *solver, const struct particles *particles, bool walls,
                         struct force_contact **contacts);
 
-/* The largest speed of the particles, over all ranks. Collective. */
+/* At least the largest speed of the particles, and of points of rocks, over all ranks. Collective. */
 double hard_solver_fastest(const struct hard_solver *solver, const struct particles *particles);
 
 #endif

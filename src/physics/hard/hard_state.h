@@ -12,8 +12,8 @@
 struct error;
 struct physics_context;
 
-/* Over all ranks, of what is free to move and of what insertions will bring: the smallest radius of a sphere, and the least and the
- * largest mass of a single grain or a whole body. */
+/* Over all ranks, of what is free to move and of what insertions will bring: the smallest radius of a sphere, or of the sphere
+ * inside a rock, and the least and the largest mass of a single grain or a whole body. */
 struct hard_sizes {
     double smallest, light, heavy; /* INFINITY, INFINITY, 0: there are none */
 };

@@ -104,7 +104,6 @@ static void attach(struct hard_pairs *pairs, const struct pairlist *list, const 
         }
     }
     memory_free(place);
-    history_rows_free(&pairs->rows);
 }
 
 /* The colours of pairs whose members act on the bodies that carry them. */

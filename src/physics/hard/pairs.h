@@ -33,14 +33,14 @@ struct hard_pairs {
     struct hard_couple *couple; /* of rolling and twisting; NULL: no contact resists */
     struct history *history;    /* records on their way into and out of rows */
     struct history_rows
-        rows; /* by owned particle, from hard_pairs_detach to hard_pairs_make; else start NULL */
+        rows; /* by owned particle, from hard_pairs_detach until all have taken theirs; else start NULL */
 };
 
 /* `resists`: contacts remember rolling and twisting, too. */
 void hard_pairs_create(struct hard_pairs *pairs, int threads, bool resists);
 void hard_pairs_free(struct hard_pairs *pairs);
 
-/* Takes the pairs of a new list, with the memory that `rows` has, which are released. Colours are those of bodies, of which a pair
+/* Takes the pairs of a new list, with the memory that `rows` has. Colours are those of bodies, of which a pair
  * of members has the bodies that carry these. One thread opens teams of its own. */
 void hard_pairs_make(struct hard_pairs *pairs, const struct pairlist *list, const struct particles *particles,
                      const struct box *box, bool newton, const struct hard_clumps *clumps);

@@ -128,6 +128,7 @@ static void rod_make(struct rod *rod, double angle, double friction) {
     rod->body[1] = (struct hard_body){.v = {0, 0, -1}, .lightness = 1.0 / mass, .swing = 1.0};
     rod->arm = (struct hard_arm){.lever = {{0}, {cos(angle), 0, -sin(angle)}},
                                  .turn = {NULL, rod->turn},
+                                 .start = {0, 0, -1},
                                  .relax = hard_relax_model(HARD_MODEL_COULOMB)->relax};
     rod->row = (struct hard_row){.body = {0, 1},
                                  .normal = {0, 0, 1},
@@ -172,6 +173,32 @@ static void test_rod(void **state) {
             if (friction <= 0.0)
                 assert_true(fabs(u[2] - 0.5) < 1e-12);
         }
+}
+
+/* A rod that falls flat on both of its ends, with friction or without, leaves with both. */
+static void test_flat(void **state) {
+    (void)state;
+    for (int rough = 0; rough < 2; rough++) {
+        struct rod rod, other;
+        double u[3];
+        rod_make(&rod, 0.0, rough ? 0.5 : 0.0);
+        rod_make(&other, 0.0, rough ? 0.5 : 0.0);
+        other.row.arm = &other.arm;
+        other.arm.lever[1][0] = -1.0;
+        for (int k = 0; k < 40; k++) {
+            hard_visit(&rod.row, 1e-3, &rod.body[0], &rod.body[1]);
+            hard_visit(&other.row, 1e-3, &rod.body[0], &rod.body[1]);
+        }
+        for (int k = 0; k < 40; k++) {
+            hard_rebound(&rod.row, &rod.body[0], &rod.body[1]);
+            hard_rebound(&other.row, &rod.body[0], &rod.body[1]);
+        }
+        hard_velocity(&rod.row, &rod.body[0], &rod.body[1], u);
+        assert_true(fabs(u[2] - 0.5) < 1e-9);
+        hard_velocity(&other.row, &rod.body[0], &rod.body[1], u);
+        assert_true(fabs(u[2] - 0.5) < 1e-9);
+        assert_true(fabs(rod.row.p - 1.5) < 1e-9 && fabs(other.row.p - 1.5) < 1e-9);
+    }
 }
 
 /* A row of spheres with an arm is the row without. */
@@ -310,4 +337,5 @@ static void test_poisson(void **state) {
 }
 
 TEST_MAIN(models, cmocka_unit_test(test_spheres), cmocka_unit_test(test_coupled), cmocka_unit_test(test_rod),
-          cmocka_unit_test(test_arm), cmocka_unit_test(test_thin), cmocka_unit_test(test_poisson))
+          cmocka_unit_test(test_flat), cmocka_unit_test(test_arm), cmocka_unit_test(test_thin),
+          cmocka_unit_test(test_poisson))

@@ -14,7 +14,7 @@ static void cross(const double a[3], const double b[3], double c[3]) {
 
 struct feature *feature_add(struct features *features, const struct posed *a, double roundings,
                             double distance, const double on_a[3], const double normal[3], uint32_t key) {
-    if (!(distance < roundings) || features->count == FEATURES_MAX)
+    if (!(distance < roundings + features->reach) || features->count == FEATURES_MAX)
         return NULL;
     struct feature *feature = &features->feature[features->count++];
     *feature = (struct feature){.overlap = roundings - distance, .weight = 1, .key = key};
@@ -61,9 +61,9 @@ struct feature *feature_edges(struct features *features, const struct posed *pos
         on_a[d] = end[0][d] + s * u[d];
         way[d] = w[d] + t * v[d] - s * u[d];
     }
-    double square = vector_dot(way, way), lengths = sqrt(vector_dot(u, u) * vector_dot(v, v)),
-           cosine = vector_dot(u, v) / lengths, slope;
-    if (!(square > 0 && square < roundings * roundings))
+    double most = roundings + features->reach, square = vector_dot(way, way),
+           lengths = sqrt(vector_dot(u, u) * vector_dot(v, v)), cosine = vector_dot(u, v) / lengths, slope;
+    if (!(square > 0 && square < most * most))
         return NULL;
     double distance = sqrt(square), factor = parallel_factor(1 - cosine * cosine, &slope);
     for (int d = 0; d < 3; d++)
@@ -72,11 +72,13 @@ struct feature *feature_edges(struct features *features, const struct posed *pos
         factor > 0 ? feature_add(features, posed, roundings, distance, on_a, way, key) : NULL;
     if (feature == NULL)
         return NULL;
+    feature->weight = factor;
+    if (feature->overlap < 0)
+        return feature;
     cross(v, u, feature->twist); /* the cosine grows by (v x u) . rotation of B */
     for (int d = 0; d < 3; d++)
         feature->twist[d] *= -2 * cosine * slope * feature->overlap / lengths;
     feature->overlap *= factor;
-    feature->weight = factor;
     return feature;
 }
 

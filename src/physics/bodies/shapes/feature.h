@@ -9,7 +9,7 @@
 enum { FEATURES_MAX = 256 };
 
 struct feature {
-    double overlap; /* d_k, > 0 */
+    double overlap; /* d_k, > 0; below 0 within the reach */
     double at[3], normal[3],
         weight;      /* weight: slope of d_k along the normal, 1 but of edges that are nearly parallel */
     double twist[3]; /* slope of d_k in a rotation of B */
@@ -19,10 +19,11 @@ struct feature {
 
 struct features {
     int count;
+    double reach; /* features whose gap is less count, too; 0: those that overlap */
     struct feature feature[FEATURES_MAX];
 };
 
-/* Adds a feature of this distance, whose nearest point of A is on_a; nothing if it does not overlap. Returns it, or NULL. */
+/* Adds a feature of this distance, whose nearest point of A is on_a; nothing if it is out of reach. Returns it, or NULL. */
 struct feature *feature_add(struct features *features, const struct posed *a, double roundings,
                             double distance, const double on_a[3], const double normal[3], uint32_t key);
 
@@ -34,7 +35,8 @@ void feature_sum(const struct feature *all, int count, const double apart[3], do
 /* The norm d of the overlaps (touch.h). */
 double feature_overlap(const struct feature *feature, int count);
 
-/* Adds two edges, from a to b and from c to e, all about the centre of A. Returns the feature, or NULL. */
+/* Adds two edges, from a to b and from c to e, all about the centre of A. Returns the feature, or NULL. An overlap has the factor
+ * of edges that are nearly parallel in it, a gap has not. */
 struct feature *feature_edges(struct features *features, const struct posed *posed, double roundings,
                               const double *const end[4], uint32_t key);
 

@@ -88,7 +88,7 @@ static void deep_take(struct features *features, const struct pair *pair, double
     feature_add(features, a, pair->roundings, -depth, nearest.on_a, normal, touch_key(TOUCH_DEEP, 0, 0));
 }
 
-bool touch_find(const struct posed *a, const struct posed *b, const double apart[3],
+bool touch_near(const struct posed *a, const struct posed *b, const double apart[3],
                 struct gjk_simplex *simplex, struct features *features, double normal[3]) {
     const struct gjk_set set_a = {a->core->corners, a->corner}, set_b = {b->core->corners, b->corner};
     struct pair pair = {
@@ -99,10 +99,10 @@ bool touch_find(const struct posed *a, const struct posed *b, const double apart
         deep_take(features, &pair, normal);
         return features->count > 0;
     }
-    if (!(nearest.distance < pair.roundings))
+    if (!(nearest.distance < pair.roundings + features->reach))
         return false;
     memcpy(normal, nearest.normal, sizeof nearest.normal);
-    pair.slack = pair.roundings - nearest.distance;
+    pair.slack = pair.roundings + features->reach - nearest.distance;
     pair.top_a = top_of(a, normal, 1);
     pair.top_b = top_of(b, normal, -1);
     if (b->core->corners > 1) /* the middle of a sphere is the only feature of its contact */
@@ -113,9 +113,16 @@ bool touch_find(const struct posed *a, const struct posed *b, const double apart
     return features->count > 0;
 }
 
+bool touch_find(const struct posed *a, const struct posed *b, const double apart[3],
+                struct gjk_simplex *simplex, struct features *features, double normal[3]) {
+    features->reach = 0;
+    return touch_near(a, b, apart, simplex, features, normal);
+}
+
 bool touch_plane(const struct posed *a, const double inward[3], double height, struct features *features) {
     double normal[3];
     features->count = 0;
+    features->reach = 0;
     for (int d = 0; d < 3; d++)
         normal[d] = -inward[d];
     for (int k = 0; k < a->core->corners; k++)

@@ -36,7 +36,11 @@
 bool touch_find(const struct posed *a, const struct posed *b, const double apart[3],
                 struct gjk_simplex *simplex, struct features *features, double normal[3]);
 
-/* The same of A with a half-space, whose inward normal is a unit vector and whose plane passes at `height` below the
+/* The same with the features up to a gap of features->reach, which the caller sets: false if there are none. */
+bool touch_near(const struct posed *a, const struct posed *b, const double apart[3],
+                struct gjk_simplex *simplex, struct features *features, double normal[3]);
+
+/* touch_find of A with a half-space, whose inward normal is a unit vector and whose plane passes at `height` below the
  * centre of A; the features are the corners of A. Any thread. */
 bool touch_plane(const struct posed *a, const double inward[3], double height, struct features *features);
 

@@ -397,5 +397,64 @@ static void spheres(void **state) {
     solid_free(&sphere.core);
 }
 
+/* Within a reach the features are those of solids whose roundings are larger by half of it, with gaps of their own. */
+static void gaps(void **state) {
+    (void)state;
+    struct random_sequence random = random_sequence(7, RANDOM_SHAPE, 0);
+    const double rounding = 0.1, reach = 0.06;
+    int open = 0;
+    for (int n = 0; n < 600; n++) {
+        struct by_hand a, b;
+        struct gjk_simplex simplex = {0}, again = {0};
+        struct features thin = {.reach = reach}, fat;
+        double apart[3] = {0, 0, 1.7 + 0.5 * random_uniform(&random)}, normal[3];
+        assert_true(by_hand_rock(&a, &random, 9, rounding) && by_hand_rock(&b, &random, 9, rounding));
+        struct posed more[2] = {a.posed, b.posed};
+        for (int k = 0; k < 2; k++)
+            more[k].rounding += 0.5 * reach;
+        bool near = touch_near(&a.posed, &b.posed, apart, &simplex, &thin, normal);
+        assert_int_equal(near, touch_find(&more[0], &more[1], apart, &again, &fat, normal));
+        for (int k = 0; near && k < thin.count; k++) {
+            const struct feature *one = &thin.feature[k], *other = &fat.feature[k];
+            assert_int_equal(thin.count, fat.count);
+            assert_int_equal(one->key, other->key);
+            open += one->overlap < 0;
+            if (other->weight < 1) /* an overlap has the factor of edges, a gap has not */
+                continue;
+            assert_near(one->overlap + reach, other->overlap, 1e-9);
+            for (int d = 0; d < 3; d++) {
+                assert_near(one->at[d], other->at[d], 1e-6);
+                assert_near(one->normal[d], other->normal[d], 1e-6);
+            }
+        }
+        solid_free(&a.core);
+        solid_free(&b.core);
+    }
+    assert_true(open > 20);
+}
+
+/* A face above a face: four corners with the gap between the faces, and a plane below. */
+static void open_faces(void **state) {
+    (void)state;
+    struct by_hand a, b;
+    struct gjk_simplex simplex = {0};
+    struct features features = {.reach = 0.02};
+    double normal[3];
+    const double apart[3] = {0.02, 0.01, 1.2 + 0.015};
+    assert_true(by_hand_box(&a, 1, 1, 1, 0.1) && by_hand_box(&b, 0.5, 0.5, 1, 0.1));
+    assert_true(touch_near(&a.posed, &b.posed, apart, &simplex, &features, normal));
+    assert_int_equal(features.count, 4);
+    for (int k = 0; k < 4; k++) {
+        assert_int_equal(features.feature[k].key >> 16, TOUCH_CORNER_B);
+        assert_near(features.feature[k].overlap, -0.015, 1e-12);
+        assert_near(features.feature[k].at[2], 0.6 + 0.0075, 1e-12);
+    }
+    features.reach = 0.01;
+    assert_false(touch_near(&a.posed, &b.posed, apart, &simplex, &features, normal));
+    solid_free(&a.core);
+    solid_free(&b.core);
+}
+
 TEST_MAIN(touch, cmocka_unit_test(distances), cmocka_unit_test(depths), cmocka_unit_test(against_ccd),
-          cmocka_unit_test(slopes), cmocka_unit_test(faces), cmocka_unit_test(spheres))
+          cmocka_unit_test(slopes), cmocka_unit_test(faces), cmocka_unit_test(spheres),
+          cmocka_unit_test(gaps), cmocka_unit_test(open_faces))
