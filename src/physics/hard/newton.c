@@ -4,9 +4,10 @@
 #include "base/memory.h"
 #include <string.h>
 
-enum { SIX = 6, ITERATIONS_MOST = 200, SMOOTH_SWEEPS = 10, SMOOTH_MOST = 160 };
+enum { SIX = 6, ITERATIONS_MOST = 200, SMOOTH_SWEEPS = 10, SMOOTH_MOST = 160, FAILURES_MOST = 3 };
 
-/* A step must leave less than this part of the residual, or sweeps follow, each time twice as many. */
+/* A step fails that leaves more than this part of the least residual since the last sweeps. So many failures in a row are followed
+ * by sweeps, each time by twice as many. */
 static const double progress = 0.5;
 
 /* Tolerance of the linear systems: stiff rows enlarge what is left. */
@@ -152,14 +153,14 @@ static void system_make(struct hard_newton *newton) {
         error_fatal("%s", error.text);
 }
 
-static void begin_all(void *context, size_t row, size_t end) {
+static void keep_all(void *context, size_t row, size_t end) {
     const struct hard_newton *newton = context;
     for (size_t r = row; r < end; r++) {
         const struct hard_row *contact = &newton->problem->row[r];
-        double *begin = newton->row[r].begin;
-        begin[0] = contact->p;
-        memcpy(begin + 1, contact->q, sizeof contact->q);
-        begin[4] = contact->deep;
+        double *kept = newton->row[r].kept;
+        kept[0] = contact->p;
+        memcpy(kept + 1, contact->q, sizeof contact->q);
+        kept[4] = contact->deep;
     }
 }
 
@@ -167,10 +168,10 @@ static void return_all(void *context, size_t row, size_t end) {
     const struct hard_newton *newton = context;
     for (size_t r = row; r < end; r++) {
         struct hard_row *contact = &newton->problem->row[r];
-        const double *begin = newton->row[r].begin;
-        contact->p = begin[0];
-        memcpy(contact->q, begin + 1, sizeof contact->q);
-        contact->deep = begin[4];
+        const double *kept = newton->row[r].kept;
+        contact->p = kept[0];
+        memcpy(contact->q, kept + 1, sizeof contact->q);
+        contact->deep = kept[4];
     }
 }
 
@@ -259,30 +260,53 @@ static void begin(struct hard_newton *newton) {
     system_make(newton);
     solve_tolerance(newton->system, linear);
     hard_blocks_shape(&newton->blocks, newton->problem, newton->bodies);
-    hard_problem_visit(newton->problem, begin_all, newton);
+    hard_problem_visit(newton->problem, keep_all, newton);
     settle(newton);
+}
+
+/* The course of the method: the least residual of all, whose impulses the rows keep, and that since the last sweeps. */
+struct course {
+    double best, least;
+    int failures, sweeps;
+};
+
+/* Counts a step that has left this residual; true if sweeps are due. */
+static bool has_stalled(struct course *course, double residual) {
+    course->failures = residual > progress * course->least ? course->failures + 1 : 0;
+    course->least = fmin(course->least, residual);
+    return course->failures >= FAILURES_MOST;
+}
+
+static void best_keep(struct hard_newton *newton, struct course *course, double residual) {
+    if (!(residual < course->best))
+        return;
+    hard_problem_visit(newton->problem, keep_all, newton);
+    course->best = residual;
 }
 
 struct hard_newton_result hard_newton_solve(struct hard_newton *newton,
                                             const struct hard_newton_limits *limits) {
     struct hard_newton_result result = {.residual = limits->begin};
-    int sweeps = SMOOTH_SWEEPS;
+    struct course course = {limits->begin, INFINITY, 0, SMOOTH_SWEEPS};
     begin(newton);
     while (result.steps < limits->steps && (result.steps == 0 || result.residual > limits->tolerance)) {
-        double before = result.residual;
         result.iterations += step(newton);
         result.residual = settle(newton);
         result.steps++;
-        if (result.residual > fmax(limits->tolerance, progress * before)) {
-            smooth(newton, sweeps);
-            sweeps = 2 * sweeps > SMOOTH_MOST ? SMOOTH_MOST : 2 * sweeps;
+        best_keep(newton, &course, result.residual);
+        if (result.residual > limits->tolerance && has_stalled(&course, result.residual)) {
+            smooth(newton, course.sweeps);
             result.residual = settle(newton);
+            best_keep(newton, &course, result.residual);
+            course.least = INFINITY;
+            course.failures = 0;
+            course.sweeps = 2 * course.sweeps > SMOOTH_MOST ? SMOOTH_MOST : 2 * course.sweeps;
         }
     }
-    if (result.residual > fmax(limits->tolerance, limits->begin)) {
+    if (result.residual > fmax(limits->tolerance, course.best)) {
         hard_problem_visit(newton->problem, return_all, newton);
         settle(newton);
-        result.residual = limits->begin;
+        result.residual = course.best;
     } else {
         smooth(newton, 1); /* no row pulls, none has more friction than it may */
     }

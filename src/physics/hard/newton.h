@@ -9,9 +9,10 @@
  *
  * As that point tells which contacts push and slip, the method is one of active sets (of the kind of Alart and Curnier 1991):
  * derivatives at the present velocities, in which an error of a stiff row is large, need ten times as many steps. The matrix is not
- * symmetric where contacts slip. Where a step leaves more than half of the residual some sweeps of Gauss and Seidel follow.
- * The method begins with the impulses of the rows, which sweeps have found, and takes one step at least, as the residual
- * does not tell an error that all rows share.
+ * symmetric where contacts slip. The method begins with the impulses of the rows, which sweeps have found, and takes one step at least,
+ * as the residual does not tell an error that all rows share. For the same reason a step may leave more residual than it found, and is
+ * nearer to the solution: sweeps at once would take the residual away, keep that error, and hide which contacts would slip by it, so
+ * that the next step is the same again. Sweeps of Gauss and Seidel follow only where several steps in a row have failed.
  *
  * Products are sums over rows, and over ranks by the copies of bodies: no matrix is made but that of the
  * preconditioner (newton_blocks.h). */
@@ -48,8 +49,7 @@ struct hard_newton_limits {
 
 struct hard_newton_result {
     int steps, iterations; /* of Newton's method, of its linear solver */
-    double
-        residual; /* the larger one of the two; that of the begin if the method ends no nearer to the solution */
+    double residual; /* where it is above the tolerance: the least of all, and the impulses are its own */
 };
 
 void hard_newton_free(struct hard_newton *newton);
