@@ -5,9 +5,9 @@
 #   sweep        a sweep against an explicit step of Hertz's law with friction, in the same bed: instructions (by perf, or by valgrind
 #                where perf cannot count) and the processor's seconds, the least of five runs
 #   ranks        sweeps a step until the residual is 1e-4, on 1, 2, 4 and 8 ranks, in a collapse
-#   penetration  a ball in 25,000 beads of glass at 70 GPa, by implicit steps (STEP, 20 us; SWEEPS, 30) and explicit ones of 0.6 of the stable step:
+#   penetration  a ball in 25,000 beads of glass at 70 GPa, by implicit steps (STEP, 20 us; SWEEPS, 10) and explicit ones of 0.6 of the stable step:
 #                seconds a step while it digs in, 0.5 ms in turns, the least of three; how far 5 ms of digging are off explicit steps half as
-#                long; the whole run of 0.1 s by implicit steps, and what the explicit one would take by its steps and the seconds of each
+#                long, by half and twice the step and by three times the sweeps, too; the whole run of 0.1 s by implicit steps, and what the explicit one would take by its steps and the seconds of each
 #
 # Prints a JSON line a figure, and keeps them in VERIFY_RESULTS or out-hard beside this script (hard.jsonl). --short: a quarter of the bed, and some
 # hundredths of the penetration.
@@ -109,7 +109,7 @@ plunge() {
 }
 number() { report_number "$out/$1" "$2"; }
 touching="--set particles.sources[ball].position=[0,0,-0.0464] --set particles.sources[ball].velocity=[0,0,-5.2]"
-by_steps() { echo "--set contact.solver=gauss_seidel --set contact.solver.sweeps=${SWEEPS:-30} --set guards.residual=off --set step.dt=$1"; }
+by_steps() { echo "--set contact.solver=gauss_seidel --set contact.solver.sweeps=$2 --set guards.residual=off --set step.dt=$1"; }
 by_springs() { echo "--set step.dt=~ --set step.fraction=$1"; }
 
 # dug NAME: how far the ball has come, and its speed
@@ -117,11 +117,11 @@ dug() { echo "$("$SCREE" info "$out/$1" --column ball_z --row last) $("$SCREE" i
 
 # shellcheck disable=SC2046,SC2086
 penetration() {
-    dig=5e-3 stretch=5e-4 whole=0.1 step=${STEP:-2e-5}
+    dig=5e-3 stretch=5e-4 whole=0.1 step=${STEP:-2e-5} sweeps=${SWEEPS:-10}
     [ $short = no ] || dig=1.2e-4 stretch=4e-5 whole=1e-3
     for turn in 1 2 3; do
         plunge "springs-$turn" $stretch $touching $(by_springs 0.6)
-        plunge "sweeps-$turn" $stretch $touching $(by_steps "$step")
+        plunge "sweeps-$turn" $stretch $touching $(by_steps "$step" "$sweeps")
     done
     for run in springs sweeps; do
         each=$(for turn in 1 2 3; do awk -v s="$(number $run-$turn seconds)" -v n="$(number $run-$turn steps)" 'BEGIN { printf "%.6g\n", s / n }'; done | sort -g | head -n 1)
@@ -130,12 +130,18 @@ penetration() {
     done
     plunge reference $dig $touching $(by_springs 0.3)
     plunge springs $dig $touching $(by_springs 0.6)
-    for dt in $(awk -v dt="$step" 'BEGIN { print dt / 2, dt, 2 * dt }'); do plunge "sweeps-$dt" $dig $touching $(by_steps "$dt"); done
-    for run in reference springs $(awk -v dt="$step" 'BEGIN { print "sweeps-" dt / 2, "sweeps-" dt, "sweeps-" 2 * dt }'); do
+    runs="reference springs"
+    for dt in $(awk -v dt="$step" 'BEGIN { print dt / 2, dt, 2 * dt }'); do
+        for n in "$sweeps" $((3 * sweeps)); do
+            plunge "$n-sweeps-$dt" $dig $touching $(by_steps "$dt" "$n")
+            runs="$runs $n-sweeps-$dt"
+        done
+    done
+    for run in $runs; do
         say "{\"part\": \"penetration\", \"what\": \"dig\", \"run\": \"$run\", \"dt\": $(number "$run" dt), \"steps\": $(number "$run" steps), \"seconds\": $(number "$run" seconds), $(
             echo "$(dug "$run") $(dug reference)" | awk '{ printf "\"ball_z\": %.8g, \"ball_vz\": %.6g, \"error_z\": %.3g, \"error_vz\": %.3g", $1, $2, ($1 - $3) / ($3 + 0.0464), ($2 - $4) / ($4 + 5.2) }')}"
     done
-    plunge whole $whole $(by_steps "$step")
+    plunge whole $whole $(by_steps "$step" "$sweeps")
     say "{\"part\": \"penetration\", \"what\": \"whole\", \"simulated\": $whole, \"steps\": $(number whole steps), \"seconds\": $(number whole seconds), $(
         awk -v t=$whole -v dt="$(number springs dt)" -v each="$spring" -v s="$(number whole seconds)" 'BEGIN { n = t / dt
             printf "\"explicit_steps\": %.0f, \"explicit_seconds_by_the_stretch\": %.4g, \"times_faster\": %.3g", n, n * each, n * each / s }')}"
