@@ -34,6 +34,7 @@ EXTRA_DIST += \
 	%D%/images/verify-fluid-operators.svg %D%/images/verify-fluid-poiseuille.svg \
 	%D%/images/verify-fluid-sphere-array.svg %D%/images/verify-fluid-taylor-aris.svg \
 	%D%/images/verify-fluid-taylor-green.svg %D%/images/verify-free-fall.svg %D%/images/verify-haff.svg \
+	%D%/images/verify-hard-boulder-discs.svg \
 	%D%/images/verify-hard-boulder.svg %D%/images/verify-hard-chain.svg %D%/images/verify-hard-column.svg \
 	%D%/images/verify-hard-haff.svg %D%/images/verify-hard-impact.svg %D%/images/verify-hard-janssen.svg \
 	%D%/images/verify-hard-mu-of-i.svg %D%/images/verify-hard-rest.svg %D%/images/verify-hard-sliding.svg \

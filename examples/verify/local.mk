@@ -21,6 +21,7 @@ nobase_dist_pkgdata_DATA += \
 	%D%/fluid-poiseuille/scene.yaml %D%/fluid-settling/scene.yaml %D%/fluid-settling/shear.yaml \
 	%D%/fluid-sphere-array/scene.yaml %D%/fluid-taylor-aris/scene.yaml %D%/fluid-taylor-green/scene.yaml \
 	%D%/free-fall/scene.yaml %D%/haff/scene.yaml %D%/hard-beverloo/scene.yaml %D%/hard-bodies/scene.yaml \
+	%D%/hard-boulder-discs/scene.yaml \
 	%D%/hard-boulder/scene.yaml %D%/hard-chain/scene.yaml %D%/hard-column/scene.yaml %D%/hard-haff/scene.yaml \
 	%D%/hard-heavy/scene.yaml %D%/hard-impact/scene.yaml %D%/hard-janssen/scene.yaml %D%/hard-mu-of-i/scene.yaml \
 	%D%/hard-rest/scene.yaml %D%/hard-rocks/scene.yaml %D%/hard-sliding/scene.yaml %D%/hard-slope/scene.yaml \
@@ -53,7 +54,8 @@ nobase_dist_pkgdata_SCRIPTS += \
 	%D%/fluid-couette/check %D%/fluid-cylinder/check %D%/fluid-diffusion/check %D%/fluid-electroosmosis/check \
 	%D%/fluid-fluidised-bed/check %D%/fluid-operators/check %D%/fluid-poiseuille/check %D%/fluid-settling/check \
 	%D%/fluid-sphere-array/check %D%/fluid-taylor-aris/check %D%/fluid-taylor-green/check %D%/free-fall/check \
-	%D%/haff/check %D%/hard-beverloo/check %D%/hard-bodies/check %D%/hard-boulder/check %D%/hard-chain/check \
+	%D%/haff/check %D%/hard-beverloo/check %D%/hard-bodies/check %D%/hard-boulder-discs/check \
+	%D%/hard-boulder/check %D%/hard-chain/check \
 	%D%/hard-column/check %D%/hard-haff/check %D%/hard-heavy/check %D%/hard-impact/check %D%/hard-janssen/check \
 	%D%/hard-mu-of-i/check %D%/hard-rest/check %D%/hard-rocks/check %D%/hard-sliding/check %D%/hard-slope/check \
 	%D%/heat-chain/check %D%/heat-rod/check %D%/implicit-hertz/check %D%/incline/check %D%/janssen/check \

@@ -170,7 +170,7 @@ viscous contact.tangential: has no form in contact.solver / contact.tangential|n
 damping contact.damping: has no form in contact.solver
 static static_friction has no form in contact.solver
 bouncy restitution is 1; allowed with contact.solver
-reproducible reproducible: does not go with contact.solver yet
+reproducible reproducible: the order in which contacts are visited follows the ranks
 loads output.walls: does not go with contact.solver yet
 EOS
 finish

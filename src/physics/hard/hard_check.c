@@ -148,7 +148,9 @@ bool hard_check(const struct physics_context *context, struct error *error) {
     if (scene->materials == 0)
         return scene_fail(scene, error, "contact.solver", "needs `materials`: grains that touch");
     if (scene->reproducible)
-        return scene_fail(scene, error, "reproducible", with, "false");
+        return scene_fail(scene, error, "reproducible",
+                          "the order in which contacts are visited follows the ranks; allowed with "
+                          "contact.solver: false");
     for (int k = 0; k < PHYSICS_COUNT; k++)
         if (scene->physics_given[k] && !goes_with(k))
             return scene_fail(scene, error, physics_key((enum physics_number)k), with,

@@ -4,9 +4,17 @@
 #include "base/memory.h"
 #include <string.h>
 
-enum { SIX = 6, ITERATIONS_MOST = 200, SMOOTH_SWEEPS = 10, SMOOTH_MOST = 160 };
+enum {
+    SIX = 6,
+    ITERATIONS_MOST = 200,
+    SMOOTH_SWEEPS = 10,
+    SMOOTH_MOST = 160,
+    FAILED_STEPS = 3,
+    BARE_STEPS = 6
+};
 
-/* A step must leave less than this part of the residual, or sweeps follow, each time twice as many. */
+/* A step must leave less than this part of the miss, or sweeps follow, each time twice as many. Behind FAILED_STEPS of such steps
+ * BARE_STEPS go without, and so on in turns. */
 static const double progress = 0.5;
 
 /* Tolerance of the linear systems: stiff rows enlarge what is left. */
@@ -152,14 +160,14 @@ static void system_make(struct hard_newton *newton) {
         error_fatal("%s", error.text);
 }
 
-static void begin_all(void *context, size_t row, size_t end) {
+static void keep_all(void *context, size_t row, size_t end) {
     const struct hard_newton *newton = context;
     for (size_t r = row; r < end; r++) {
         const struct hard_row *contact = &newton->problem->row[r];
-        double *begin = newton->row[r].begin;
-        begin[0] = contact->p;
-        memcpy(begin + 1, contact->q, sizeof contact->q);
-        begin[4] = contact->deep;
+        double *kept = newton->row[r].kept;
+        kept[0] = contact->p;
+        memcpy(kept + 1, contact->q, sizeof contact->q);
+        kept[4] = contact->deep;
     }
 }
 
@@ -167,10 +175,10 @@ static void return_all(void *context, size_t row, size_t end) {
     const struct hard_newton *newton = context;
     for (size_t r = row; r < end; r++) {
         struct hard_row *contact = &newton->problem->row[r];
-        const double *begin = newton->row[r].begin;
-        contact->p = begin[0];
-        memcpy(contact->q, begin + 1, sizeof contact->q);
-        contact->deep = begin[4];
+        const double *kept = newton->row[r].kept;
+        contact->p = kept[0];
+        memcpy(contact->q, kept + 1, sizeof contact->q);
+        contact->deep = kept[4];
     }
 }
 
@@ -221,7 +229,7 @@ static void bodies_set(struct hard_newton *newton, const double (*x)[SIX]) {
     hard_border_send(newton->border, newton->problem);
 }
 
-/* The velocities that belong to the impulses of the rows, and the residual. */
+/* The velocities that belong to the impulses of the rows, their miss, and the residual. */
 static double settle(struct hard_newton *newton) {
     double sum[3];
     pulls(newton, sum_pulls, newton->y);
@@ -229,6 +237,7 @@ static double settle(struct hard_newton *newton) {
     hard_problem_residual(newton->problem, sum);
     comm_sum(newton->comm, sum, 3);
     double most = fmax(sum[1], sum[2]);
+    newton->miss = sqrt(sum[0]);
     return most > 0.0 ? sqrt(sum[0] / most) : 0.0;
 }
 
@@ -259,32 +268,70 @@ static void begin(struct hard_newton *newton) {
     system_make(newton);
     solve_tolerance(newton->system, linear);
     hard_blocks_shape(&newton->blocks, newton->problem, newton->bodies);
-    hard_problem_visit(newton->problem, begin_all, newton);
+    hard_problem_visit(newton->problem, keep_all, newton);
     settle(newton);
+}
+
+/* The course of the method: the least miss of all, with its residual, whose impulses the rows keep; sweeps of the next time; steps that have
+ * failed, and steps that go without sweeps. */
+struct course {
+    double best, residual;
+    int sweeps, failed, bare;
+};
+
+static void best_keep(struct hard_newton *newton, struct course *course, double residual) {
+    if (!(newton->miss < course->best))
+        return;
+    hard_problem_visit(newton->problem, keep_all, newton);
+    course->best = newton->miss;
+    course->residual = residual;
+}
+
+/* The impulses of the least miss; returns their residual. */
+static double best_take(struct hard_newton *newton, const struct course *course) {
+    hard_problem_visit(newton->problem, return_all, newton);
+    settle(newton);
+    return course->residual;
+}
+
+/* Sweeps behind a step that has failed; returns the residual then. */
+static double sweeps_follow(struct hard_newton *newton, struct course *course) {
+    smooth(newton, course->sweeps);
+    double residual = settle(newton);
+    best_keep(newton, course, residual);
+    course->sweeps = 2 * course->sweeps > SMOOTH_MOST ? SMOOTH_MOST : 2 * course->sweeps;
+    course->bare = ++course->failed % FAILED_STEPS == 0 ? BARE_STEPS : 0;
+    return residual;
+}
+
+/* Behind a step without sweeps: the last of them goes back to the least miss. Returns the residual then. */
+static double bare_end(struct hard_newton *newton, struct course *course, double residual) {
+    if (--course->bare > 0 || newton->miss <= course->best)
+        return residual;
+    return best_take(newton, course);
 }
 
 struct hard_newton_result hard_newton_solve(struct hard_newton *newton,
                                             const struct hard_newton_limits *limits) {
     struct hard_newton_result result = {.residual = limits->begin};
-    int sweeps = SMOOTH_SWEEPS;
     begin(newton);
+    struct course course = {newton->miss, limits->begin, SMOOTH_SWEEPS, 0, 0};
     while (result.steps < limits->steps && (result.steps == 0 || result.residual > limits->tolerance)) {
-        double before = result.residual;
+        double before = newton->miss;
         result.iterations += step(newton);
         result.residual = settle(newton);
         result.steps++;
-        if (result.residual > fmax(limits->tolerance, progress * before)) {
-            smooth(newton, sweeps);
-            sweeps = 2 * sweeps > SMOOTH_MOST ? SMOOTH_MOST : 2 * sweeps;
-            result.residual = settle(newton);
-        }
+        best_keep(newton, &course, result.residual);
+        if (result.residual <= limits->tolerance)
+            break;
+        if (course.bare > 0)
+            result.residual = bare_end(newton, &course, result.residual);
+        else if (newton->miss > progress * before)
+            result.residual = sweeps_follow(newton, &course);
     }
-    if (result.residual > fmax(limits->tolerance, limits->begin)) {
-        hard_problem_visit(newton->problem, return_all, newton);
-        settle(newton);
-        result.residual = limits->begin;
-    } else {
+    if (result.residual > limits->tolerance && newton->miss > course.best)
+        result.residual = best_take(newton, &course);
+    else
         smooth(newton, 1); /* no row pulls, none has more friction than it may */
-    }
     return result;
 }

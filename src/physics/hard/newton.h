@@ -9,9 +9,13 @@
  *
  * As that point tells which contacts push and slip, the method is one of active sets (of the kind of Alart and Curnier 1991):
  * derivatives at the present velocities, in which an error of a stiff row is large, need ten times as many steps. The matrix is not
- * symmetric where contacts slip. Where a step leaves more than half of the residual some sweeps of Gauss and Seidel follow.
- * The method begins with the impulses of the rows, which sweeps have found, and takes one step at least, as the residual
- * does not tell an error that all rows share.
+ * symmetric where contacts slip. The method begins with the impulses of the rows, which sweeps have found, and takes one step at least,
+ * as the residual does not tell an error that all rows share.
+ *
+ * Where a step leaves more than half of the miss, some sweeps of Gauss and Seidel follow: impacts want these. But sweeps may take the miss
+ * away, keep the error that rows share, and hide which contacts would slip by it, so that the next step is the same again. Behind
+ * a few such steps some go without sweeps; if they come no nearer the method goes back to where it was nearest. The
+ * miss is absolute: impulses that grow without bound miss little of themselves.
  *
  * Products are sums over rows, and over ranks by the copies of bodies: no matrix is made but that of the
  * preconditioner (newton_blocks.h). */
@@ -38,6 +42,7 @@ struct hard_newton {
     double (*way)[6], (*sum)[6]; /* of all bodies: velocities, and sums of impulses */
     double (*root)[HARD_ROOT];   /* of all bodies (newton_body.h); NULL: all are spheres */
     size_t row_room, free_room, own_room[3], all_room[3];
+    double miss; /* the 2-norm of what one more visit of each row would change of its impulses */
 };
 
 struct hard_newton_limits {
@@ -48,8 +53,7 @@ struct hard_newton_limits {
 
 struct hard_newton_result {
     int steps, iterations; /* of Newton's method, of its linear solver */
-    double
-        residual; /* the larger one of the two; that of the begin if the method ends no nearer to the solution */
+    double residual; /* where it is above the tolerance: the least of all, and the impulses are its own */
 };
 
 void hard_newton_free(struct hard_newton *newton);

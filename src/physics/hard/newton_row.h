@@ -14,8 +14,8 @@
 #include "physics/hard/row.h"
 
 struct hard_newton_row {
-    double begin[5]; /* impulses and overlap at the begin of the method: p, q, deep */
-    double lead[3];  /* impulse after a step that changes no velocity */
+    double kept[5]; /* impulses and overlap of the least residual so far: p, q, deep */
+    double lead[3]; /* impulse after a step that changes no velocity */
     /* Derivative: push n n + grip (1 - n n) - slip t t + couple t n, with t = along. */
     double push, grip, slip, couple, along[3];
 };

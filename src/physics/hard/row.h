@@ -33,6 +33,10 @@
 /* Above its speed of release the force of a row falls to 0 within this part of the spring's excess of speed. */
 #define HARD_RELEASE_PART 0.01
 
+/* Newton's steps for the overlap of a row of Hertz; behind one that changes it by less than this part none changes it. */
+enum { HARD_HERTZ_STEPS = 60 };
+#define HARD_HERTZ_ENOUGH 1e-8
+
 /* A contact. Lengths, velocities and impulses in the units of the scene. */
 struct hard_row {
     uint32_t body[2];
@@ -169,8 +173,9 @@ static inline void hard_impulse(const struct hard_row *row, int e, double impuls
 }
 
 /* The normal impulse of a row of Hertz: the root of y (1 + a c) + a dt k y^(3/2) = -(gap + dt u_free) - a c min(gap, 0),
- * whose left side is convex, from above by Newton. The damper has the overlap of the last visit, and acts from touch on: a
- * gap that closes in the step is no overlap that grows. */
+ * whose left side is convex, by Newton: from the overlap of the last visit, which the first step brings above the root, or from
+ * above. The damper has the overlap of the last visit, and acts from touch on: a gap that closes in the step is no overlap
+ * that grows. */
 static inline double hard_hertz(struct hard_row *row, double dt, double a, double free) {
     double c = row->damper * sqrt(sqrt(row->deep)), linear = 1.0 + a * c;
     double steep = a * dt * row->hertz, before = fmin(row->gap, 0.0);
@@ -179,12 +184,13 @@ static inline double hard_hertz(struct hard_row *row, double dt, double a, doubl
         row->deep = 0.0;
         return 0.0;
     }
-    double y = goal / linear;
-    if (steep > 0.0)
-        y = fmin(y, cbrt((goal / steep) * (goal / steep)));
-    for (int k = 0; k < 8; k++) {
-        double root = sqrt(y), miss = y * (linear + steep * root) - goal;
-        y -= miss / (linear + 1.5 * steep * root);
+    double y = row->deep, change = INFINITY;
+    if (!(y > 0.0))
+        y = steep > 0.0 ? fmin(goal / linear, cbrt((goal / steep) * (goal / steep))) : goal / linear;
+    for (int k = 0; k < HARD_HERTZ_STEPS && fabs(change) > HARD_HERTZ_ENOUGH * y; k++) {
+        double root = sqrt(y);
+        change = (y * (linear + steep * root) - goal) / (linear + 1.5 * steep * root);
+        y -= change;
     }
     row->deep = y;
     return fmax(0.0, row->hertz * y * sqrt(y) + c * (y + before) / dt);

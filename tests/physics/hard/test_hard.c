@@ -9,6 +9,7 @@
 #include <stdlib.h>
 #include <string.h>
 /* after setjmp.h and stdarg.h */
+#include "tests/near.h"
 
 enum { CHAIN_MOST = 60 };
 static const double gravity = 10.0, step = 1e-3;
@@ -222,6 +223,20 @@ static void test_repair(void **state) {
     }
 }
 
+/* The overlap that a visit of Hertz finds is the root, whatever overlap the last visit has left, for soft and for very stiff contacts. */
+static void test_hertz_begin(void **state) {
+    (void)state;
+    const double from[] = {0.0, 1e-15, 1e-9, 1e-5, 1e-3, 10.0};
+    const double dt = 1e-3, a = 2.0, free = -0.3;
+    for (double hertz = 1e-3; hertz < 1e13; hertz *= 100.0)
+        for (size_t k = 0; k < sizeof from / sizeof *from; k++) {
+            struct hard_row row = {.gap = -1e-5, .hertz = hertz, .deep = from[k]};
+            double p = hard_hertz(&row, dt, a, free), goal = -(row.gap + dt * free);
+            assert_near(row.deep + a * dt * hertz * row.deep * sqrt(row.deep), goal, 1e-14 * goal);
+            assert_near(p, hertz * row.deep * sqrt(row.deep), 1e-14 * p);
+        }
+}
+
 /* The force of a row of Hertz is that of its overlap at the end of the step. */
 static void test_hertz(void **state) {
     (void)state;
@@ -355,4 +370,5 @@ static void test_colours(void **state) {
 TEST_MAIN(hard, cmocka_unit_test(test_chain_rigid), cmocka_unit_test(test_chain_soft),
           cmocka_unit_test(test_chain_warm), cmocka_unit_test(test_heavy), cmocka_unit_test(test_single),
           cmocka_unit_test(test_gap), cmocka_unit_test(test_repair), cmocka_unit_test(test_hertz),
-          cmocka_unit_test(test_damper), cmocka_unit_test(test_impacts), cmocka_unit_test(test_colours))
+          cmocka_unit_test(test_hertz_begin), cmocka_unit_test(test_damper), cmocka_unit_test(test_impacts),
+          cmocka_unit_test(test_colours))
