@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* Tables whose particles have moved and stay in their cells: searches reach farther by the drift. Read cells.h first.
  */
+#include "base/clones.h"
 #include "base/image.h"
 #include "base/memory.h"
 #include "index/grids/cells.h"
@@ -26,26 +27,23 @@ static void leave_origin(struct cells *cells) {
     cells->moved = true;
 }
 
-/* True if a particle of the batch has crossed a periodic face since. */
-static bool batch_crossed(const struct cells *cells, const struct frame *frame, size_t k,
-                          const struct located *located) {
-    unsigned crossed = 0;
+/* The square of the distance that no particle goes without crossing a periodic face. */
+static float crossing2(const struct frame *frame) {
+    float half = INFINITY;
     for (int d = 0; d < 3; d++) {
-        const float half = frame->periodic[d] ? frame->edge[d] / 2 : INFINITY;
-        const float *restrict x = located->x[d], *restrict origin = cells->origin[d] + k;
-        for (size_t m = 0; m < located->count; m++) {
-            crossed |= (unsigned)(fabsf(x[m] - origin[m]) > half);
-        }
+        half = frame->periodic[d] ? fminf(half, frame->edge[d] / 2) : half;
     }
-    return crossed != 0;
+    return half * half;
 }
 
-/* Brings the particles of the batch that have crossed a face back to the images near their cells. */
-static void batch_turn(const struct cells *cells, const struct cells_source *source, size_t k,
+/* Brings the particles of the batch that have crossed a face since back to the images near their cells; true if there are
+ * some. */
+static bool batch_turn(const struct cells *cells, const struct cells_source *source, size_t k,
                        struct located *located, uint8_t *turn) {
     const struct frame *frame = source->frame;
     const struct index_view *view = source->view;
     const size_t first = source->members->begin[source->group] + k;
+    bool some = false;
     for (size_t m = 0; m < located->count; m++) {
         const double *x = view->position + members_get(source->members, first + m) * view->stride;
         int image[3] = {0, 0, 0};
@@ -53,27 +51,32 @@ static void batch_turn(const struct cells *cells, const struct cells_source *sou
             float apart = located->x[d][m] - cells->origin[d][k + m];
             if (frame->periodic[d] && fabsf(apart) > frame->edge[d] / 2) {
                 image[d] = apart > 0 ? -1 : 1;
+                some = true;
                 located->x[d][m] = grid_frame_coordinate(frame, d, x[d] + image[d] * view->edge[d]);
             }
         }
         turn[m] = (uint8_t)image_code(image[0], image[1], image[2]);
     }
+    return some;
 }
 
 /* The square of the largest distance of the batch from its origin. */
-static float batch_drift(const struct cells *cells, size_t k, const struct located *located) {
-    const float *restrict x = cells->origin[0] + k, *restrict y = cells->origin[1] + k,
-                          *restrict z = cells->origin[2] + k;
-    float most = 0;
-    for (size_t m = 0; m < located->count; m++) {
-        float dx = located->x[0][m] - x[m], dy = located->x[1][m] - y[m], dz = located->x[2][m] - z[m];
-        float square = dx * dx + dy * dy + dz * dz;
+SCREE_CLONES static float batch_drift(const struct cells *cells, size_t k, const struct located *located) {
+    const float *restrict ox = cells->origin[0] + k, *restrict oy = cells->origin[1] + k,
+                          *restrict oz = cells->origin[2] + k;
+    const float *restrict x = located->x[0], *restrict y = located->x[1], *restrict z = located->x[2];
+    const size_t n = located->count;
+    int32_t most = 0;
+    for (size_t m = 0; m < n; m++) {
+        float dx = x[m] - ox[m], dy = y[m] - oy[m], dz = z[m] - oz[m];
+        int32_t square = cells_bits(dx * dx + dy * dy + dz * dz);
         most = square > most ? square : most;
     }
-    return most;
+    return cells_float(most);
 }
 
 bool cells_follow(struct cells *cells, const struct cells_source *source, uint8_t *turn) {
+    const float crossing = crossing2(source->frame);
     unsigned turned = 0;
     if (!cells->moved) {
         leave_origin(cells);
@@ -92,11 +95,11 @@ bool cells_follow(struct cells *cells, const struct cells_source *source, uint8_
             cells_locate(&located, source, k);
             uint8_t *codes = turn + members_get(source->members, source->members->begin[source->group] + k);
             memset(codes, 0, located.count);
-            if (batch_crossed(cells, source->frame, k, &located)) {
-                batch_turn(cells, source, k, &located, codes);
+            float square = batch_drift(cells, k, &located);
+            if (square >= crossing && batch_turn(cells, source, k, &located, codes)) {
+                square = batch_drift(cells, k, &located);
                 turned = 1;
             }
-            float square = batch_drift(cells, k, &located);
             drift2 = square > drift2 ? square : drift2;
             mine.clamped = mine.clamped || located.clamped;
             cells_slots_put(&mine, source->frame, k, &located);

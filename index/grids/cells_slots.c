@@ -2,6 +2,7 @@
 /* The slots of a table: room, coordinates, numbers. Read cells_slots.h first. */
 #include "index/grids/cells_slots.h"
 
+#include "base/clones.h"
 #include "base/memory.h"
 #include "index/grids/cells_sort.h"
 
@@ -42,26 +43,34 @@ void cells_slots_pad(const struct cells *cells) {
     }
 }
 
+/* Radii of n slots in the frame's unit, and the bits of their bounds. */
+SCREE_CLONES static void radii_put(float *restrict to, const double *restrict radius, size_t n, double scale,
+                                   int32_t bounds[2]) {
+    int32_t least = bounds[0], most = bounds[1];
+    for (size_t k = 0; k < n; k++) {
+        to[k] = (float)(radius[k] * scale * (1 + CELLS_RADIUS_EXCESS));
+    }
+    for (size_t k = 0; k < n; k++) {
+        const int32_t bits = cells_bits(to[k]);
+        least = bits < least ? bits : least;
+        most = bits > most ? bits : most;
+    }
+    bounds[0] = least;
+    bounds[1] = most;
+}
+
 /* Puts the particles of a batch into the slots from `slot` on, and updates the bounds of `cells`, which is
  * the thread's own copy. */
 void cells_slots_put(struct cells *cells, const struct frame *frame, size_t slot,
                      const struct located *located) {
-    const double scale = frame->scale;
     const size_t n = located->count;
-    float *restrict r = cells->r + slot;
-    float least = cells->r_min, most = cells->r_max;
+    int32_t bounds[2] = {cells_bits(cells->r_min), cells_bits(cells->r_max)};
     memcpy(cells->x + slot, located->x[0], n * sizeof(float));
     memcpy(cells->y + slot, located->x[1], n * sizeof(float));
     memcpy(cells->z + slot, located->x[2], n * sizeof(float));
-    for (size_t k = 0; k < n; k++) {
-        r[k] = (float)(located->r[k] * scale * (1 + CELLS_RADIUS_EXCESS));
-    }
-    for (size_t k = 0; k < n; k++) {
-        least = r[k] < least ? r[k] : least;
-        most = r[k] > most ? r[k] : most;
-    }
-    cells->r_min = least;
-    cells->r_max = most;
+    radii_put(cells->r + slot, located->r, n, frame->scale, bounds);
+    cells->r_min = cells_float(bounds[0]);
+    cells->r_max = cells_float(bounds[1]);
 }
 
 void cells_bounds_start(struct cells *cells) {

@@ -7,10 +7,24 @@
 #include "index/grids/levels_parts.h"
 
 #include <omp.h>
+#include <string.h>
 
 struct cells_range {
     size_t begin, end;
 };
+
+/* Floats that are not negative compare as their bits do; compilers turn a maximum of whole numbers into vector
+ * instructions, but not one of floats, of which one might be no number. */
+static inline int32_t cells_bits(float x) {
+    int32_t bits;
+    memcpy(&bits, &x, sizeof bits);
+    return bits;
+}
+static inline float cells_float(int32_t bits) {
+    float x;
+    memcpy(&x, &bits, sizeof x);
+    return x;
+}
 
 /* The share of the calling thread. Inside a parallel region. */
 static inline struct cells_range cells_share(size_t count) {

@@ -2,10 +2,12 @@
 /* The batches of locate.h, as plain loops. */
 #include "index/grids/levels_parts.h"
 
+#include "base/clones.h"
+
 /* Coordinates in direction d; true if one was clamped. A coordinate that is not a number counts as
  * clamped. */
-static bool frame_batch(const struct frame *frame, int d, const double *restrict x, size_t n,
-                        float *restrict to) {
+SCREE_CLONES static bool frame_batch(const struct frame *frame, int d, const double *restrict x, size_t n,
+                                     float *restrict to) {
     const double low = frame->low[d], high = frame->high[d], centre = frame->centre[d], scale = frame->scale;
     uint64_t clamped = 0;
     for (size_t k = 0; k < n; k++) {

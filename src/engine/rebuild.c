@@ -79,6 +79,13 @@ static void springs_restore(struct history *history, const struct pairlist *list
     history_restore(history, &rows->kept, &twins, list);
 }
 
+/* The most steps until the next rebuild; 0: not known. A rebuild that sorts comes first after a resume, which knows no growth of
+ * bounds, and must go on as the run that was not interrupted; in reproducible mode all layouts decide alike. */
+static double next_rebuild(const struct scene *scene, const struct rebuild_rows *rows) {
+    bool known = rows->stays && !scene->classes.skin_auto && !scene->reproducible;
+    return known ? (double)scene->step.rebuild_every : 0;
+}
+
 static void attach(struct simulation *s, struct rebuild_rows *rows) {
     if (rows->keep)
         springs_restore(s->search.history, s->search.list, &s->ranks, rows);
@@ -87,7 +94,7 @@ static void attach(struct simulation *s, struct rebuild_rows *rows) {
                        images_apart(&s->classes, &s->box));
     if (rows->obstacles.start)
         s->physics.obstacles->row->obstacles->attach(&s->physics.obstacles->context, &rows->obstacles);
-    skin_reset(s->search.skin, s->particles);
+    skin_reset(s->search.skin, s->particles, &s->classes, next_rebuild(s->scene, rows));
 }
 
 static void ghosts_pass(struct simulation *s) {

@@ -268,7 +268,7 @@ static void skin_holds(void **state) {
         int classes = bench.cloud.classes.count, lasted = 0, step = 0;
         skin_follow(skin, &bench.cloud.box);
         bench_build(&bench, "linkcell");
-        skin_reset(skin, bench.particles);
+        skin_reset(skin, bench.particles, &bench.cloud.classes, 0);
         for (; step < 400 && lasted < 3; step++) {
             double speed[CLASS_MAX] = {0}, dt = 5e-5;
             drift(&bench, step, dt, s % 2 ? 0.05 : 1);
@@ -289,7 +289,7 @@ static void skin_holds(void **state) {
                 for (size_t k = 0; k < bench.particles->owned; k++)
                     memcpy(bench.cloud.x[bench.particles->id[k] - 1], bench.particles->state[k].x,
                            3 * sizeof(double));
-                skin_reset(skin, bench.particles);
+                skin_reset(skin, bench.particles, &bench.cloud.classes, 0);
                 continue;
             }
             if (step % 10)

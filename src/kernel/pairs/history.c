@@ -31,8 +31,7 @@ void history_destroy(struct history **history) {
     *history = NULL;
 }
 
-/* Grows a part, keeping its contents. */
-static void part_reserve(struct history_part *part, int components, size_t contacts) {
+void history_part_reserve(struct history_part *part, int components, size_t contacts) {
     if (contacts + HISTORY_PAD <= part->capacity)
         return;
     part->capacity = contacts + contacts / 16 + 1024;
@@ -42,7 +41,7 @@ static void part_reserve(struct history_part *part, int components, size_t conta
 }
 
 void history_reserve(struct history *history, int thread, size_t contacts) {
-    part_reserve(&history->part[1 - history->now][thread], history->components, contacts);
+    history_part_reserve(&history->part[1 - history->now][thread], history->components, contacts);
 }
 
 const struct history_part *history_part_of(const struct history *history, const struct pairlist *list,
@@ -331,7 +330,7 @@ static void attach_thread(struct history *history, const struct attach *a, int t
         const struct history_row *row = pair_find(a, pair.k);
         if (row == NULL)
             continue;
-        part_reserve(part, history->components, part->count + 1);
+        history_part_reserve(part, history->components, part->count + 1);
         double sign = a->particles->id[pair.i] < a->particles->id[pair.j] ? 1 : -1;
         assert(pair.k - first <= UINT32_MAX);
         part->pair[part->count] = (uint32_t)(pair.k - first);

@@ -45,6 +45,9 @@ void history_destroy(struct history **history);
  * itself, before the loop. */
 void history_reserve(struct history *history, int thread, size_t contacts);
 
+/* Makes room for `contacts` records in a part, and keeps those that it has. */
+void history_part_reserve(struct history_part *part, int components, size_t contacts);
+
 /* The records of the last evaluation, those of the thread whose pairs begin with number `first` of the list; NULL: there are
  * none. */
 const struct history_part *history_part_of(const struct history *history, const struct pairlist *list,

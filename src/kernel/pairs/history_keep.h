@@ -56,13 +56,19 @@ struct history_kept {
     struct history_kept_entry *entry;
     size_t owned;
     size_t first[PAIR_THREADS_MAX + 1]; /* number of each thread's first record; then of the first match */
-    const struct history_row *row;      /* the loose rows; borrowed */
-    struct history_match *match;        /* record first[threads] + m is row[match[m].row] */
-    uint64_t owners;                    /* pairlist_owners of the list before */
-    struct history_link
-        *link; /* of each record, where all particles keep their numbers and there are no loose rows;
-                                  entries are made only if the new list has the pairs in another order */
+    size_t
+        own[PAIR_THREADS_MAX]; /* records of each thread, but those of pairs with copies, which come last */
+    const struct history_row *row; /* the loose rows; borrowed */
+    struct history_match *match;   /* record first[threads] + m is row[match[m].row] */
+    uint64_t owners;               /* pairlist_owners of the list before */
+    struct history_link *
+        link; /* of each record, and behind of each match; left where all particles keep their numbers: entries
+                                  are made only of those that the new list has in another order */
+    size_t count; /* links */
 };
+
+/* Makes the entries from the links, which are freed. Opens its own thread team. */
+void history_kept_sort(struct history_kept *kept, int threads);
 
 /* The numbers of particles before and after a rebuild. */
 struct history_numbers {
@@ -89,8 +95,9 @@ struct history_twins {
     const uint32_t *original;
 };
 
-/* Hands the records and the loose rows to the pairs of the new list: where they are if `kept` has links and the list has the pairs in the same
- * order, else by entries, which are then made in `kept`, to the other buffer of the history. Opens its own thread team. */
+/* Hands the records and the loose rows to the pairs of the new list. Records stay where they are if `kept` has links, there are
+ * no twins, and the list has the pairs in the same order, and the loose rows go behind them; else all go by entries, which are then
+ * made in `kept`, to the other buffer of the history. Opens its own thread team. */
 void history_restore(struct history *history, struct history_kept *kept, const struct history_twins *twins,
                      const struct pairlist *list);
 

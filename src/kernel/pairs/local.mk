@@ -1,12 +1,12 @@
 # SPDX-License-Identifier: BSD-3-Clause
 noinst_LTLIBRARIES += libpairs.la
 libpairs_la_SOURCES = \
-	%D%/classes_choose.c %D%/history.c %D%/history_follow.c %D%/history_keep.c %D%/history_rows.c \
-	%D%/interaction.c %D%/pairlist.c %D%/pairlist_blocks.c %D%/pairlist_build.c %D%/pairlist_shares.c %D%/skin.c \
-	%D%/skin_choice.c %D%/sweep.c %D%/walk.c %D%/walk_kernels.c %D%/walk_ordered.c %D%/classes_choose.h \
-	%D%/history.h %D%/history_keep.h %D%/history_rows.h %D%/interaction.h %D%/pairlist.h %D%/pairlist_build.h \
-	%D%/skin.h %D%/skin_choice.h %D%/sweep.h %D%/walk.h %D%/walk_filter.h %D%/walk_four.h %D%/walk_history.h \
-	%D%/walk_kernel.h %D%/walk_ordered.h
+	%D%/classes_choose.c %D%/history.c %D%/history_follow.c %D%/history_keep.c %D%/history_restore.c \
+	%D%/history_rows.c %D%/interaction.c %D%/pairlist.c %D%/pairlist_blocks.c %D%/pairlist_build.c \
+	%D%/pairlist_shares.c %D%/skin.c %D%/skin_choice.c %D%/sweep.c %D%/walk.c %D%/walk_kernels.c \
+	%D%/walk_ordered.c %D%/classes_choose.h %D%/history.h %D%/history_keep.h %D%/history_rows.h \
+	%D%/interaction.h %D%/pairlist.h %D%/pairlist_build.h %D%/skin.h %D%/skin_choice.h %D%/sweep.h %D%/walk.h \
+	%D%/walk_filter.h %D%/walk_four.h %D%/walk_history.h %D%/walk_kernel.h %D%/walk_ordered.h
 libpairs_la_CPPFLAGS = $(AM_CPPFLAGS) $(KERNEL_CPPFLAGS)
 libpairs_la_LIBADD = libwalk_baseline.la
 

@@ -18,28 +18,11 @@ void skin_destroy(struct skin **skin) {
     *skin = NULL;
 }
 
-void skin_reset(struct skin *skin, const struct particles *particles) {
-    if (particles->owned > skin->capacity) {
-        skin->capacity = particles->owned + particles->owned / 32;
-        memory_free(skin->anchor);
-        skin->anchor = memory_allocate(skin->capacity, sizeof *skin->anchor, "positions at the rebuild");
-    }
-#pragma omp parallel for schedule(static)
-    for (size_t k = 0; k < particles->owned; k++)
-        memcpy(skin->anchor[k], particles->state[k].x, sizeof *skin->anchor);
-    memset(skin->bound, 0, sizeof skin->bound);
-    memset(skin->second, 0, sizeof skin->second);
-    skin->moves = 0;
-    skin->rebuilds++;
-    skin->nearing = skin->nearing_growth = 0;
-    if (skin->box)
-        skin->then = *skin->box;
-}
-
 void skin_release(struct skin *skin) {
     memory_free(skin->anchor);
     skin->anchor = NULL;
     skin->capacity = 0;
+    skin->anchored = false;
 }
 
 void skin_follow(struct skin *skin, const struct box *box) {
@@ -124,7 +107,7 @@ static double displacement2(const struct skin *skin, const double anchor[3], con
 
 void skin_measure(struct skin *skin, const struct particles *particles, int classes) {
     struct largest all = {0};
-    if (skin->anchor == NULL && particles->owned > 0)
+    if (!skin->anchored)
         return;
 #pragma omp parallel
     {
@@ -189,6 +172,32 @@ static bool exceeded(const struct skin *skin, const struct size_classes *classes
         }
     }
     return false;
+}
+
+static void anchors_note(struct skin *skin, const struct particles *particles) {
+    if (particles->owned > skin->capacity) {
+        skin->capacity = particles->owned + particles->owned / 32;
+        memory_free(skin->anchor);
+        skin->anchor = memory_allocate(skin->capacity, sizeof *skin->anchor, "positions at the rebuild");
+    }
+#pragma omp parallel for schedule(static)
+    for (size_t k = 0; k < particles->owned; k++)
+        memcpy(skin->anchor[k], particles->state[k].x, sizeof *skin->anchor);
+}
+
+void skin_reset(struct skin *skin, const struct particles *particles, const struct size_classes *classes,
+                double steps) {
+    memset(skin->bound, 0, sizeof skin->bound);
+    memset(skin->second, 0, sizeof skin->second);
+    skin->nearing = 0;
+    skin->anchored = steps == 0 || exceeded(skin, classes, 2 * steps);
+    if (skin->anchored)
+        anchors_note(skin, particles);
+    skin->moves = 0;
+    skin->rebuilds++;
+    skin->nearing_growth = 0;
+    if (skin->box)
+        skin->then = *skin->box;
 }
 
 double skin_used(const struct skin *skin, const struct size_classes *classes) {

@@ -26,6 +26,7 @@ struct skin {
     double growth[CLASS_MAX + 1]; /* of the bound in the last step */
     double (*anchor)[3];          /* position at the rebuild, owned particles */
     size_t capacity;
+    bool anchored; /* the anchors are those of the last rebuild; else nobody can measure displacements */
     uint64_t rebuilds;
     unsigned moves;        /* drifts since the rebuild */
     const struct box *box; /* that moves; NULL: at rest */
@@ -44,18 +45,21 @@ void skin_follow(struct skin *skin, const struct box *box);
  * dt 0: where the particle is. Any thread. */
 double skin_speed2(const struct box *box, const struct particle_state *state, double dt);
 
-/* A rebuild has happened: displacements start from here. Opens its own thread team. */
-void skin_reset(struct skin *skin, const struct particles *particles);
+/* A rebuild has happened: displacements start from here. Opens its own thread team. With `steps` > 0 the next rebuild comes
+ * after that many steps at the latest: positions are noted only if some class pair may use up its skin by then, should its bounds
+ * grow twice as fast as in the last step. 0: they are noted. */
+void skin_reset(struct skin *skin, const struct particles *particles, const struct size_classes *classes,
+                double steps);
 
-/* Releases the memory of positions, where nothing is expected to move: skin_measure then leaves the bounds as they are. */
+/* Releases the memory of positions, where nothing is expected to move. */
 void skin_release(struct skin *skin);
 
 /* The largest speed of each class in the drift just made (this rank's, or all ranks'), and how far walls have
  * moved in all. In a box that moves speeds are those of skin_speed2, and the box has moved. */
 void skin_moved(struct skin *skin, const double *speed, int classes, double dt, double walls);
 
-/* Replaces the bounds by the exact displacements of this rank's owned particles. Opens its own thread team.
- */
+/* Replaces the bounds by the exact displacements of this rank's owned particles; leaves the bounds as they are where no positions
+ * were noted. Opens its own thread team. */
 void skin_measure(struct skin *skin, const struct particles *particles, int classes);
 
 /* Ends the update of skin_moved, once the bounds are those of all ranks: stores the growth of each bound. */

@@ -184,20 +184,43 @@ static void swap_pairs(struct cloud *c) {
     c->list->j[other] = j;
 }
 
-/* Particles keep their numbers, and the second list has another skin. Records stay in place, if the second list has
- * the pairs of all of them in their order. */
-static void check_still(int threads, double skin, bool swapped, bool in_place) {
+/* The copies are made anew, and come in another order. */
+static void turn_copies(struct particles *particles) {
+    for (size_t k = 0; k < particles->ghosts / 2; k++) {
+        size_t a = particles->owned + k, b = particles->owned + particles->ghosts - 1 - k;
+        struct particle_state state = particles->state[a];
+        int64_t id = particles->id[a];
+        particles->state[a] = particles->state[b];
+        particles->id[a] = particles->id[b];
+        particles->state[b] = state;
+        particles->id[b] = id;
+    }
+}
+
+/* Particles keep their numbers, and the second list has another skin. Records stay in place, but for those of pairs with copies,
+ * if the second list has the pairs of all of them in their order. */
+static void check_still(int threads, size_t copies, double skin, bool swapped, bool in_place) {
     struct cloud c = {.near = 0.05};
     struct history_kept kept;
-    cloud_fill(&c, PLACES, 0);
-    for (size_t k = 0; k < PLACES; k++)
+    struct flight flight = {0};
+    const size_t owned = PLACES - copies;
+    cloud_fill(&c, PLACES, copies);
+    for (size_t k = 0; k < PLACES; k++) {
         c.particles->state[k].radius = fmin(c.particles->state[k].radius, 1.5);
+        flight.place[k] = (uint32_t)k;
+    }
     cloud_search(&c, threads, true);
     size_t pairs = c.list->pair_count;
     struct history *history = history_create(3, threads);
     history_fill(&c, history);
     int now = history->now;
-    history_keep(history, c.list, &(struct history_numbers){.owned = PLACES, .before = PLACES}, NULL, &kept);
+    if (copies)
+        history_loosen(history, c.list, c.particles, flight.place, &flight.loose, &flight.leave);
+    assert_int_equal(flight.loose.count > 0, copies > 0);
+    turn_copies(c.particles);
+    const struct history_followers followers = {&flight.loose, c.particles, NULL, 0};
+    history_keep(history, c.list, &(struct history_numbers){.owned = owned, .before = owned},
+                 copies ? &followers : NULL, &kept);
     cloud_free(&c);
     for (int a = 0; a < 2; a++)
         for (int b = 0; b < 2; b++)
@@ -210,6 +233,8 @@ static void check_still(int threads, double skin, bool swapped, bool in_place) {
     history_compare(&c, history);
     assert_int_equal(history->now == now, in_place);
     history_kept_free(&kept);
+    history_loose_free(&flight.loose);
+    history_loose_free(&flight.leave);
     history_destroy(&history);
     cloud_free(&c);
     particles_destroy(&c.particles);
@@ -217,13 +242,14 @@ static void check_still(int threads, double skin, bool swapped, bool in_place) {
 
 static void test_history_of_still_particles_stays_in_place(void **state) {
     (void)state;
-    for (int threads = 1; threads <= 4; threads++) {
-        check_still(threads, 0.1, false, true);
-        check_still(threads, 0.3, false, true);
-        check_still(threads, 0.07, false, true);
-        check_still(threads, 0.3, true, false);   /* two pairs have changed places */
-        check_still(threads, 0.02, false, false); /* pairs with records are gone */
-    }
+    for (int threads = 1; threads <= 4; threads++)
+        for (size_t copies = 0; copies <= 150; copies += 150) {
+            check_still(threads, copies, 0.1, false, true);
+            check_still(threads, copies, 0.3, false, true);
+            check_still(threads, copies, 0.07, false, true);
+            check_still(threads, copies, 0.3, true, false);   /* two pairs have changed places */
+            check_still(threads, copies, 0.02, false, false); /* pairs with records are gone */
+        }
 }
 
 /* A ball with 50 small spheres around it, of which ten touch it; the other small ones are far away. */

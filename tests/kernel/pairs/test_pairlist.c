@@ -138,7 +138,7 @@ static void test_skin_is_due_by_class_pairs(void **state) {
     struct cloud c = {0};
     cloud_fill(&c, 200, 0);
     struct skin *skin = skin_create();
-    skin_reset(skin, c.particles);
+    skin_reset(skin, c.particles, &c.classes, 0);
     assert_false(skin_due(skin, &c.classes));
     skin_moved(skin, (const double[]){0.4, 0}, 2, 0.1, 0);
     assert_false(skin_due(skin, &c.classes)); /* two small ones may have used 0.08 of 0.1 */
@@ -154,7 +154,7 @@ static void test_skin_is_due_by_class_pairs(void **state) {
     skin_release(skin); /* without the positions the bounds stay */
     skin_measure(skin, c.particles, 2);
     assert_true(skin_due(skin, &c.classes));
-    skin_reset(skin, c.particles);
+    skin_reset(skin, c.particles, &c.classes, 0);
     assert_false(skin_due(skin, &c.classes));
     skin_moved(skin, (const double[]){0, 0}, 2, 0.1, 0.11); /* a wall moved */
     assert_true(skin_due(skin, &c.classes));

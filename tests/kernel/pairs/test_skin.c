@@ -62,11 +62,11 @@ static void test_the_next_step_is_foreseen(void **state) {
     skin_settle(skin, 1);
     assert_false(skin_due(skin, &classes));
     assert_true(skin_nearly_due(skin, &classes));
-    skin_reset(skin, none);
+    skin_reset(skin, none, &classes, 0);
     assert_false(skin_nearly_due(skin, &classes));
     skin_moved(skin, &speed, 1, 0.3, 0); /* 0.6 each */
     skin_settle(skin, 1);
-    skin_reset(skin, none);
+    skin_reset(skin, none, &classes, 0);
     assert_true(skin_nearly_due(skin, &classes));
     assert_false(skin_due(skin, &classes));
     particles_destroy(&none);
@@ -80,11 +80,11 @@ static void test_a_fast_particle_needs_no_measuring(void **state) {
     struct skin *skin = skin_create();
     struct particles *none = particles_create(1);
     double speed = 2;
-    skin_reset(skin, none);
+    skin_reset(skin, none, &classes, 0);
     skin_moved(skin, &speed, 1, 0.4, 0); /* 0.8 each: two of them are too much, one alone is not */
     assert_true(skin_due(skin, &classes));
     assert_false(skin_surely_due(skin, &classes));
-    skin_reset(skin, none);
+    skin_reset(skin, none, &classes, 0);
     skin_moved(skin, &speed, 1, 0.6, 0); /* 1.2 */
     assert_true(skin_surely_due(skin, &classes));
     skin_moved(skin, &speed, 1, 0.6, 0);
@@ -101,7 +101,7 @@ static void test_unwanted_pairs_use_up_nothing(void **state) {
     struct particles *none = particles_create(1);
     double speed = 2;
     classes.skin[0][1] = classes.skin[1][0] = 2;
-    skin_reset(skin, none);
+    skin_reset(skin, none, &classes, 0);
     skin_moved(skin, &speed, 1, 0.6, 0); /* 1.2 each */
     skin_settle(skin, 1);
     assert_true(skin_due(skin, &classes) && skin_surely_due(skin, &classes) &&
@@ -111,10 +111,36 @@ static void test_unwanted_pairs_use_up_nothing(void **state) {
     assert_true(skin_nearly_due(skin, &classes)); /* to walls, after 2.4 */
     skin_moved(skin, &speed, 1, 0.6, 0);
     assert_true(skin_due(skin, &classes));
-    skin_reset(skin, none);
+    skin_reset(skin, none, &classes, 0);
     skin_moved(skin, &speed, 1, 1.1, 0);
     assert_true(skin_surely_due(skin, &classes));
     particles_destroy(&none);
+    skin_destroy(&skin);
+}
+
+/* Where the next rebuild comes by the number of steps, long before a skin is used up, no positions are noted. */
+static void test_positions_are_noted_where_they_may_be_needed(void **state) {
+    (void)state;
+    struct size_classes classes = one_class();
+    struct skin *skin = skin_create();
+    struct particles *one = particles_create(1);
+    double speed = 1;
+    particles_append(one);
+    skin_moved(skin, &speed, 1, 0.01, 0);
+    skin_settle(skin, 1);
+    skin_reset(skin, one, &classes, 20); /* at twice the speed 0.4 each */
+    skin_moved(skin, &speed, 1, 0.6, 0); /* faster than foreseen */
+    skin_measure(skin, one, 1);
+    assert_true(skin->bound[0] == 0.6 && skin_due(skin, &classes));
+    skin_reset(skin, one, &classes, 30); /* 0.6 each */
+    skin_moved(skin, &speed, 1, 0.6, 0);
+    skin_measure(skin, one, 1);
+    assert_true(skin->bound[0] == 0 && !skin_due(skin, &classes));
+    skin_reset(skin, one, &classes, 0); /* nobody knows when */
+    one->state[0].x[1] = 0.25;
+    skin_measure(skin, one, 1);
+    assert_true(skin->bound[0] == 0.25);
+    particles_destroy(&one);
     skin_destroy(&skin);
 }
 
@@ -122,4 +148,5 @@ TEST_MAIN(skin, cmocka_unit_test(test_two_particles_share_the_skin),
           cmocka_unit_test(test_moving_walls_count_against_particles_alone),
           cmocka_unit_test(test_nothing_moves), cmocka_unit_test(test_the_next_step_is_foreseen),
           cmocka_unit_test(test_a_fast_particle_needs_no_measuring),
-          cmocka_unit_test(test_unwanted_pairs_use_up_nothing))
+          cmocka_unit_test(test_unwanted_pairs_use_up_nothing),
+          cmocka_unit_test(test_positions_are_noted_where_they_may_be_needed))
