@@ -40,7 +40,8 @@ nobase_dist_pkgdata_DATA = \
 	%D%/electroosmosis/scene.yaml %D%/ergun/README.md %D%/ergun/scene.yaml %D%/ergun/section.awk \
 	%D%/fluid_scaling/README.md %D%/fluid_scaling/count_calls.c %D%/fluid_scaling/counts.awk \
 	%D%/fluid_scaling/scene.yaml %D%/fluid_scaling/section.awk %D%/fluidised_bed/README.md \
-	%D%/fluidised_bed/picture.gp %D%/fluidised_bed/scene.yaml %D%/fluidised_bed/slice.yaml %D%/gallery/README.md \
+	%D%/fluidised_bed/goldschmidt.yaml %D%/fluidised_bed/netl.yaml %D%/fluidised_bed/picture.gp \
+	%D%/fluidised_bed/scene.yaml %D%/gallery/README.md \
 	%D%/gallery/compaction.yaml %D%/gallery/drum.yaml %D%/gallery/funnel.txt %D%/gallery/gate.txt \
 	%D%/gallery/hopper.yaml %D%/gallery/pictures.txt %D%/gallery/plot.gp %D%/gallery/pouring.yaml \
 	%D%/gallery/quick.txt %D%/gallery/shear_cell.yaml %D%/gallery/sieve.yaml %D%/gallery/sieves.txt \
@@ -85,7 +86,8 @@ nobase_dist_pkgdata_SCRIPTS = \
 	%D%/dosta2024/page.sh %D%/dosta2024/run.sh %D%/drum/check %D%/drum/lammps/run.sh %D%/drum/run.sh \
 	%D%/dumbbells/check %D%/dumbbells/run.sh %D%/electroosmosis/check %D%/electroosmosis/run.sh \
 	%D%/electroosmosis/section.sh %D%/ergun/check %D%/ergun/run.sh %D%/ergun/section.sh %D%/flow.sh \
-	%D%/fluid_scaling/run.sh %D%/fluid_scaling/section.sh %D%/fluidised_bed/check %D%/fluidised_bed/run.sh \
+	%D%/fluid_scaling/run.sh %D%/fluid_scaling/section.sh %D%/fluidised_bed/beds.sh \
+	%D%/fluidised_bed/check %D%/fluidised_bed/run.sh \
 	%D%/fluidised_bed/section.sh %D%/gallery/check %D%/gallery/run.sh %D%/gate/check %D%/gate/run.sh \
 	%D%/hard/run.sh %D%/heated_drum/check %D%/heated_drum/run.sh %D%/lammps/check %D%/lammps/make.sh \
 	%D%/drum_on_rollers/check %D%/drum_on_rollers/run.sh %D%/paddle_wheel/check %D%/paddle_wheel/run.sh %D%/penetration/check %D%/penetration/lammps/run.sh \

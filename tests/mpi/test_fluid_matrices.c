@@ -126,11 +126,13 @@ static void matrices_have_waves(void **state) {
     assembly_momentum(&r.assembly, &r.weights, 3, 0.02, 0);
     assert_near(eigen_error(&r, 3 + 0.02 * l, false), 0, 1e-10);
     assert_near(eigen_error(&r, 3, true), 0, 1e-10);
-    assembly_pressure(&r.assembly, &r.weights, false);
+    assembly_pressure(&r.assembly, &r.weights, false, NULL);
     assert_near(eigen_error(&r, l, false), 0, 1e-9);
     for (size_t i = 0; i < n; i++)
         r.flow.increment[i] = 1.5;
     assembly_darcy(&r.assembly, &r.weights, flow_increment(&r.flow));
+    assert_near(eigen_error(&r, 1.5 * l, false), 0, 1e-9);
+    assembly_pressure(&r.assembly, &r.weights, true, r.flow.increment);
     assert_near(eigen_error(&r, 1.5 * l, false), 0, 1e-9);
     for (size_t e = 0; e < entries; e++)
         share[e] = 0.7;

@@ -198,6 +198,9 @@ static const struct schema_row wall_rows[] = {
              "cost that does not depend on their number, with one contact a grain; `scree check` tells the error. Three dimensions"},
     {.key = "field_spacing", .type = SCHEMA_REAL, .unit = "m", .range = "(0, inf)", .when = "shape=mesh", AT(struct wall_options, field_spacing),
      .help = "spacing of the nodes of a field; left out: a 128th of the longest side of the mesh", .example = "0.5 mm"},
+    {.key = "permeable", .type = SCHEMA_BOOL, .fallback = "false", AT(struct wall_options, permeable),
+     .help = "true: the wall holds grains alone, and the fluid of the section fluid goes through it: the plate at the bottom of a fluidised bed, beside an "
+             "open side; a sieve"},
     {.key = "motion", .type = SCHEMA_LIST, .sub = &motion_table,
      ARRAY_AT(struct wall_options, motion, motions),
      .help = "motions, the first applied first; none: the wall is at rest, or free"},

@@ -6,12 +6,13 @@
 
 #define OF_CARRIER .type = FIELD_DOUBLE, .needed_for = "fluid.grains.unresolved"
 static const struct field seen = {.name = "fluid_seen",
-                                  .components = 3,
+                                  .components = CARRIER_SEEN,
                                   .use = FIELD_TRAVELS | FIELD_OUTPUT | FIELD_ASKED,
-                                  .unit = "m s-1",
                                   .kinds = 1u << KIND_GRAIN,
                                   OF_CARRIER,
-                                  .help = "velocity of the fluid at a grain that it does not resolve"},
+                                  .help =
+                                      "at a grain that the fluid does not resolve: volume flow of fluid and "
+                                      "grains, m s-1; force of the pressure, N; factor of the law"},
                           force = {
                               .name = "fluid_taken",
                               .components = 4,
@@ -35,7 +36,7 @@ void carrier_fields_add(struct particles *particles) {
     fields_register(particles, &force);
 }
 
-double (*carrier_seen(const struct particles *particles))[3] {
+double (*carrier_seen(const struct particles *particles))[CARRIER_SEEN] {
     return fields_values(particles, &seen);
 }
 

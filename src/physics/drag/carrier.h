@@ -18,9 +18,11 @@ bool carrier_of(const struct scene *scene, struct carrier *carrier);
 /* Registers the fields below. */
 void carrier_fields_add(struct particles *particles);
 
-/* By particle number, of the grains that are not resolved: the velocity of the fluid there, made before the passes of
- * PASS_CLOSE; force and force over slip, which drag fills before the pass of the fluid. NULL: no fields. */
-double (*carrier_seen(const struct particles *particles))[3];
+/* By particle number, of the grains that are not resolved, what they see of the fluid, held from one step of the fluid to the next: its velocity;
+ * the force of its pressure; the factor of the law, 1 of form B (drag_law.h), the porosity where the force of the pressure is apart. And the whole
+ * force, with force over slip, which drag fills before the pass of the fluid. NULL: no fields. */
+enum { CARRIER_PUSH = 3, CARRIER_SHARE = 6, CARRIER_SEEN };
+double (*carrier_seen(const struct particles *particles))[CARRIER_SEEN];
 double (*carrier_force(const struct particles *particles))[4];
 
 #endif

@@ -11,8 +11,9 @@
  * Yu, J. Fluid Mech. 661 (2010) 482). The fluid therefore loses the pressure sum of drags / cross-section over a bed,
  * which is the weight of a fluidised bed less its buoyancy.
  *
- * Instead of a given fluid, that of the section `fluid` may flow between the grains: then U - porosity v is u - v with its velocity u at
- * the grain, and it loses the momentum that the grain gains (physics/drag/carrier.h). */
+ * Instead of a given fluid, that of the section `fluid` may flow between the grains: then U - porosity v is w - v with its volume flow w at
+ * the grain, the force of its pressure may be apart (then K is porosity times that of form B: form A), and it loses the momentum that the grain
+ * gains (physics/drag/carrier.h, physics/fluid/coupling/unresolved_grains.h). */
 #ifndef SCREE_DRAG_DRAG_H
 #define SCREE_DRAG_DRAG_H
 

@@ -147,8 +147,16 @@ static bool takes_part(const struct drag *drag, const struct particles *p, const
     return p->state[i].radius <= drag->largest && (kind == NULL || kind[i] == KIND_GRAIN);
 }
 
-/* K of grain i; `slip` becomes its superficial slip velocity. */
-static double factor_of(const struct physics_context *context, size_t i, double time, double slip[3]) {
+/* What grains see of the fluid of the section `fluid`; NULL: a fluid is given, or there are no lists yet, and no grain has seen it. */
+static const double (*seen_of(const struct physics_context *context))[CARRIER_SEEN] {
+    const struct drag *drag = context->self;
+    return drag->resolved && context->list[0]
+               ? (const double(*)[CARRIER_SEEN])carrier_seen(context->particles)
+               : NULL;
+}
+
+/* K of grain i, which sees `seen`; `slip` becomes its superficial slip velocity. */
+static double factor_of(const struct physics_context *context, size_t i, const double *seen, double slip[3]) {
     const struct drag *drag = context->self;
     const struct particle_state *state = &context->particles->state[i];
     const double *porosity = drag_porosity(context->particles);
@@ -158,9 +166,9 @@ static double factor_of(const struct physics_context *context, size_t i, double 
         .diameter = 2 * carried_solid_radius(context->particles, carried_solid(context->particles), i),
         .porosity = porosity ? porosity[i] : 1};
     double square = 0, moved = drag->resolved ? 1 : at.porosity, flow[3] = {0};
-    drag_velocity(drag, time, slip);
-    if (drag->resolved) /* before the first lists no grain has seen the fluid: without slip K is least */
-        memcpy(slip, context->list[0] ? carrier_seen(context->particles)[i] : state->v, 3 * sizeof *slip);
+    drag_velocity(drag, context->clock->time, slip);
+    if (drag->resolved) /* without slip K is least */
+        memcpy(slip, seen ? seen : state->v, 3 * sizeof *slip);
     if (context->box->motion.moves) /* the fluid moves with the box, or an image would feel another drag */
         box_flow(context->box, state->x, flow);
     for (int d = 0; d < 3; d++) {
@@ -168,7 +176,7 @@ static double factor_of(const struct physics_context *context, size_t i, double 
         square += slip[d] * slip[d];
     }
     at.speed = sqrt(square);
-    return drag->law->factor(&at);
+    return drag->law->factor(&at) * (seen ? seen[CARRIER_SHARE] : 1);
 }
 
 /* The forces on the grains of a thread. A force acts from half a step before to half a step after, so that its work is the
@@ -180,18 +188,19 @@ static void act(const struct physics_context *context, int thread) {
     const double *gravity = context->scene->gravity, half = 0.5 * context->clock->dt,
                  *solid = carried_solid(p);
     double(*law)[3] = (double(*)[3])drag_force(p), (*taken)[4] = carrier_force(p), given = 0;
+    const double(*seen)[CARRIER_SEEN] = seen_of(context);
     size_t first = p->owned * (size_t)thread / (size_t)context->threads;
     size_t last = p->owned * ((size_t)thread + 1) / (size_t)context->threads;
     for (size_t i = first; i < last; i++) {
         double slip[3], *force = p->force + i * (size_t)p->force_stride;
         if (!takes_part(drag, p, kind, i))
             continue;
-        const double *v = p->state[i].v;
-        double factor = factor_of(context, i, context->clock->time, slip), power = 0;
+        const double *v = p->state[i].v, *own = seen ? seen[i] : NULL;
+        double factor = factor_of(context, i, own, slip), power = 0;
         double mass = drag->density * porosity_volume(carried_solid_radius(p, solid, i));
         for (int d = 0; d < context->box->dimension; d++) {
             double before = law[i][d], buoyancy = -mass * gravity[d];
-            law[i][d] = factor * slip[d];
+            law[i][d] = factor * slip[d] + (own ? own[CARRIER_PUSH + d] : 0);
             force[d] += law[i][d] + buoyancy;
             power += (law[i][d] + buoyancy) * v[d];
             power += context->clock->step > 0 ? (before + buoyancy) * v[d] : 0;
@@ -223,6 +232,7 @@ static double limit(const struct physics_context *context, double most) {
     struct drag *drag = context->self;
     const struct particles *p = context->particles;
     const uint8_t *kind = kinds_of(p);
+    const double(*seen)[CARRIER_SEEN] = seen_of(context);
     double slip[3];
     if (drag->porosity && context->list[0] == NULL)
         return most;
@@ -231,7 +241,7 @@ static double limit(const struct physics_context *context, double most) {
     for (size_t i = 0; i < p->owned; i++)
         if (takes_part(drag, p, kind, i) && p->state[i].inverse_mass > 0)
             most = fmin(most,
-                        1 / (p->state[i].inverse_mass * factor_of(context, i, context->clock->time, slip)));
+                        1 / (p->state[i].inverse_mass * factor_of(context, i, seen ? seen[i] : NULL, slip)));
     comm_min(context->comm, &most, 1);
     return most;
 }

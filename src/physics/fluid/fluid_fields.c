@@ -2,6 +2,7 @@
 /* The fields of a fluid, and its observables. Read fluid_fields.h first. */
 #include "physics/fluid/fluid_fields.h"
 #include "physics/fluid/coupling/rigid_fields.h"
+#include "physics/fluid/coupling/unresolved_grains.h"
 #include "physics/fluid/observe_flow.h"
 #include "physics/fluid/fluid_state.h"
 #include "data/observe/observables_kinds.h"
@@ -55,6 +56,8 @@ static const struct field
                        .unit = "m s-2", OF_FLUID, .help = "(drift . grad) u"},
     gradient = {.name = "fluid_gradient", .type = FIELD_DOUBLE, .components = 3, .unit = "Pa m-1", OF_FLUID,
                 .help = "gradient of the pressure within a step"},
+    mobility = {.name = "fluid_mobility", .type = FIELD_DOUBLE, .components = 1, OF_FLUID, .fill = 1,
+                .help = "what grains that are not resolved leave of the answer to a gradient of the pressure"},
     /* of open sides */
     whole = {.name = "fluid_whole", .type = FIELD_DOUBLE, .components = 9, OF_FLUID,
              .help = "what makes the gradient of a pressure whole beside walls and grains"};
@@ -79,6 +82,14 @@ void fluid_fields_volumes(struct particles *particles) {
 
 void fluid_fields_open(struct particles *particles) {
     fields_register(particles, &whole);
+}
+
+void fluid_fields_mobility(struct particles *particles) {
+    fields_register(particles, &mobility);
+}
+
+double *fluid_mobility(const struct particles *particles) {
+    return fields_values(particles, &mobility);
 }
 
 void fluid_fields_riding(struct particles *particles) {
@@ -113,7 +124,7 @@ int fluid_handle(const struct particles *particles, enum flow_array array) {
     static const struct field *const fields[] = {
         [FLOW_PRESSURE] = &pressure, [FLOW_PREDICTED] = &predicted, [FLOW_INCREMENT] = &increment,
         [FLOW_ROW] = &row,           [FLOW_GRADIENT] = &gradient,   [FLOW_VOLUME] = &volume,
-        [FLOW_WHOLE] = &whole};
+        [FLOW_WHOLE] = &whole,       [FLOW_MOBILITY] = &mobility};
     return array == FLOW_VELOCITY ? FIELD_VELOCITY : fields_handle(particles, fields[array]);
 }
 
@@ -202,6 +213,20 @@ static void take_velocity(const struct observable_context *context, struct obser
     for (size_t i = 0; i < context->view->particles->owned; i++)
         for (int d = 0; d < 3; d++)
             part[d] += volume_of(context->view, i) * context->view->particles->state[i].v[d];
+}
+
+static void take_momentum(const struct observable_context *context, struct observable_item *item,
+                          double *part) {
+    const struct fluid *fluid = context->view->own[PHYSICS_fluid];
+    double flow[3];
+    (void)item;
+    for (size_t i = 0; i < context->view->particles->owned && fluid != NULL; i++) {
+        double mass = fluid->options->density * volume_of(context->view, i);
+        if (mass > 0)
+            unresolved_flow(context->view->particles, i, flow);
+        for (int d = 0; d < 3 && mass > 0; d++)
+            part[d] += mass * flow[d];
+    }
 }
 
 static void divide_velocity(const struct output_view *view, const struct observable_item *item,
@@ -320,11 +345,14 @@ static const struct observable_kind kinds[] = {
      .parts = 3,
      .relevant = known,
      .of_rank = observe_flow_rate},
-    {.info = {"pressure_drop", "fluid", "Pa", "drop over the box of the pressure that drives the fluid",
+    {.info = {"pressure_drop", "fluid", "Pa",
+              "drop over the box of the pressure that drives the fluid, or from one open side to the "
+              "opposite one",
               OBSERVABLE_OF_ALL, 3, "Pa"},
-     .parts = 3,
+     .parts = 12,
      .relevant = known,
-     .of_rank = observe_pressure_drop},
+     .of_rank = observe_pressure_drop,
+     .finish = observe_pressure_drop_finish},
     {.info = {"permeability", "fluid", "m2", "viscosity x superficial velocity / driving force (Darcy)",
               OBSERVABLE_OF_ALL, 1, "m2"},
      .parts = 2,
@@ -342,6 +370,12 @@ static const struct observable_kind kinds[] = {
      .parts = 1,
      .relevant = observe_charged,
      .of_rank = observe_charge},
+    {.info = {"fluid_momentum", "fluid", "N s",
+              "momentum of the fluid: of grains that it does not resolve without their room",
+              OBSERVABLE_OF_ALL, 3, "N s/m"},
+     .parts = 3,
+     .relevant = known,
+     .of_rank = take_momentum},
     SCALAR("1", observe_scalar_1),
     SCALAR("2", observe_scalar_2),
     SCALAR("3", observe_scalar_3)};

@@ -31,6 +31,10 @@ double *fluid_volume(const struct particles *particles);
 void fluid_fields_open(struct particles *particles);
 double (*fluid_whole(const struct particles *particles))[9];
 
+/* Adds the field of grains that are not resolved: k of projection.h, or NULL. */
+void fluid_fields_mobility(struct particles *particles);
+double *fluid_mobility(const struct particles *particles);
+
 /* Adds the field of boundary particles that ride on grains; the arm from the grain's centre, NAN where not known yet. */
 void fluid_fields_riding(struct particles *particles);
 double (*fluid_arm(const struct particles *particles))[3];

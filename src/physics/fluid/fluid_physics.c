@@ -80,7 +80,7 @@ static void *create(const struct physics_context *context) {
         fluid_fields_free(context->particles);
     }
     if (unresolved_any(fluid->options))
-        unresolved_fields_add(context->particles);
+        unresolved_fields_add(fluid->options, context->particles);
     return fluid;
 }
 
@@ -141,8 +141,9 @@ static void print(const struct physics_context *context, FILE *file) {
     if (fluid->gaps)
         narrow_gaps_print(fluid->gaps, context, file);
     if (unresolved_any(fluid->options))
-        fprintf(file, "  unresolved   grains up to the radius %.6g: the section drag moves them\n",
-                fluid->options->grains.unresolved);
+        fprintf(file, "  unresolved   grains up to the radius %.6g: the section drag moves them%s\n",
+                fluid->options->grains.unresolved,
+                unresolved_averaged(fluid->options) ? "; equations averaged over fluid and grains" : "");
     scalars_print(context, file);
     electrolyte_print(context, file);
     if (!steady && fluid->options->equations == FLUID_NAVIER_STOKES)
@@ -151,12 +152,12 @@ static void print(const struct physics_context *context, FILE *file) {
 
 static void restart(const struct physics_context *context, struct restart *list) {
     struct fluid *fluid = context->self;
-    fluid->renew = fluid_motion_moves(
-        fluid->options); /* matrices that stay keep their preconditioners, which follow from them */
+    /* matrices that stay keep their preconditioners, which follow from them */
+    fluid->renew = fluid_motion_moves(fluid->options) || unresolved_averaged(fluid->options);
     restart_add(list, RESTART_INTEGER, false, &fluid->past.steps, "fluid: steps");
     restart_add(list, RESTART_REAL, false, &fluid->past.dt, "fluid: last time step");
     flow_drive_restart(&fluid->drive, fluid->options, list);
-    if (grain_free(fluid->options))
+    if (grain_free(fluid->options) || unresolved_averaged(fluid->options))
         restart_add(list, RESTART_SUM, true, &fluid->work, "fluid: work on grains");
     if (fluid->scalars == NULL)
         return;
@@ -198,14 +199,6 @@ static const struct physics_pass passes[] = {
      .writes = "position velocity",
      .needed = boundary_wanted,
      .whole = boundary_follow},
-    {.name = "dust",
-     .why = "grains that a fluid does not resolve",
-     .place = PASS_SHARES,
-     .does = "the velocity of a fluid at grains that it does not resolve",
-     .reads = "position velocity",
-     .writes = "fluid_seen",
-     .needed = unresolved_needed,
-     .whole = unresolved_look},
     {.name = "lubrication",
      .why = "lubrication of grains that are near each other",
      .place = PASS_SHARES,
@@ -224,7 +217,8 @@ static const struct physics_pass passes[] = {
      .place = PASS_LOOK,
      .reads = "velocity pressure",
      .writes = "divergence drag",
-     .whole = fluid_passes_look}};
+     .whole = fluid_passes_look},
+};
 
 static const struct timer_stage stages[] = {
     {.name = "operators",

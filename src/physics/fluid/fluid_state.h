@@ -14,6 +14,7 @@ struct rigid;
 struct lubrication_pairs;
 struct scalars;
 struct electrolyte;
+struct unresolved;
 
 struct fluid {
     const struct fluid_options *options; /* borrowed */
@@ -53,8 +54,7 @@ struct fluid {
     struct electrolyte *electrolyte; /* electrolyte.h; NULL: none */
     uint64_t done;                   /* the last step that was made */
     struct gaps *gaps;               /* narrow_gaps.h; NULL: not looked for */
-    double (*given)
-        [3]; /* by row: force/volume of grains that are not resolved (unresolved_grains.h); NULL: none yet */
+    struct unresolved *dust; /* of grains that are not resolved (unresolved_grains.h); NULL: none yet */
     double (*jump)
         [6]; /* by particle number: by how much the fluid has changed velocity and spin of grains in this step; NULL: not */
     struct rigid *rigid; /* of grains in which the flow is rigid (rigid_step.h); NULL: mirrors */

@@ -8,9 +8,12 @@
 /* Mass flow along x, y and z: density x velocity x volume, summed, over the box's edge. */
 void observe_flow_rate(const struct observable_context *context, struct observable_item *item, double *part);
 
-/* The driving force times the box's edge, along x, y and z. */
+/* The driving force times the box's edge, and what the mean pressure at the open side below has more than that at the one above, along x, y and
+ * z. In twelve parts. */
 void observe_pressure_drop(const struct observable_context *context, struct observable_item *item,
                            double *part);
+void observe_pressure_drop_finish(const struct output_view *view, const struct observable_item *item,
+                                  double *part);
 
 /* Viscosity x superficial velocity along the driving force / force: Darcy's law. In two parts. */
 void observe_permeability(const struct observable_context *context, struct observable_item *item,

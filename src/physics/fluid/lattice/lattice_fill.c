@@ -195,6 +195,8 @@ static bool walls_suit(const struct physics_context *context, struct error *erro
         const struct wall_options *wall = &context->scene->wall[w];
         size_t open = walls_open_edges(grains_walls(context), w);
         char key[64];
+        if (wall->permeable)
+            continue;
         snprintf(key, sizeof key, "walls[%d].free", w);
         if (wall->free.given)
             return scene_fail(

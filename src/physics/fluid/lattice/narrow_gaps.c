@@ -60,7 +60,8 @@ struct gaps narrow_gaps_find(const struct nodes *nodes, const struct physics_con
     for (size_t i = 0; i < nodes->grains; i++)
         look_from(&gaps, nodes, i, largest);
     for (int wall = 0; wall < context->scene->walls; wall++)
-        look_at_wall(&gaps, nodes, grains_walls(context), wall);
+        if (!context->scene->wall[wall].permeable)
+            look_at_wall(&gaps, nodes, grains_walls(context), wall);
     return gaps;
 }
 

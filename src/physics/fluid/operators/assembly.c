@@ -144,7 +144,7 @@ double assembly_wall_factor(const struct weights *weights, size_t wall, int comp
     return along + (straight - along) * n * n;
 }
 
-/* What a gradient of the pressure multiplies: a factor of each particle or entry, C of gradient_correction.h, or 1. */
+/* What a gradient of the pressure multiplies: a factor of each entry, or one of each particle, and C of gradient_correction.h, or 1. */
 struct share {
     struct operators_values k; /* without values: 1 */
     const double *entry;       /* NULL: 1 */
@@ -157,9 +157,12 @@ static double share_of(const struct share *share, const struct weights *weights,
     const double *k = share->k.value;
     if (share->entry != NULL)
         return share->entry[entry];
-    if (share->whole)
-        return 0.5 * (weights_whole_along(weights, i, entry) + weights_whole_along(weights, j, entry));
-    return k != NULL ? 0.5 * (k[i * share->k.stride] + k[j * share->k.stride]) : 1;
+    double own = k != NULL ? k[i * share->k.stride] : 1, other = k != NULL ? k[j * share->k.stride] : 1;
+    if (share->whole) {
+        own *= weights_whole_along(weights, i, entry);
+        other *= weights_whole_along(weights, j, entry);
+    }
+    return 0.5 * (own + other);
 }
 
 /* Adds -factor share w_ij (f_j - f_i) over the fluid neighbours of a row to the cleared values. */
@@ -224,8 +227,11 @@ static void fill_pressure(struct assembly *assembly, const struct weights *weigh
     timer_leave(assembly->timers, stage);
 }
 
-void assembly_pressure(struct assembly *assembly, const struct weights *weights, bool whole) {
-    fill_pressure(assembly, weights, &(struct share){.whole = whole && weights->whole != NULL});
+void assembly_pressure(struct assembly *assembly, const struct weights *weights, bool whole,
+                       const double *mobility) {
+    fill_pressure(
+        assembly, weights,
+        &(struct share){.k = {.value = mobility, .stride = 1}, .whole = whole && weights->whole != NULL});
 }
 
 void assembly_darcy(struct assembly *assembly, const struct weights *weights, struct operators_values k) {

@@ -30,8 +30,9 @@ void assembly_momentum(struct assembly *assembly, const struct weights *weights,
                        double viscous, int component);
 
 /* value = - div grad, no flux through walls; regular if a pressure is given at open sides. `whole`: - div c grad, c of gradient_correction.h
- * where the weights have it. */
-void assembly_pressure(struct assembly *assembly, const struct weights *weights, bool whole);
+ * where the weights have it. With a factor `mobility` > 0 of each particle, copies included, unless NULL. */
+void assembly_pressure(struct assembly *assembly, const struct weights *weights, bool whole,
+                       const double *mobility);
 
 /* value = - div k grad, the same with a factor k > 0 of each particle, copies included. */
 void assembly_darcy(struct assembly *assembly, const struct weights *weights, struct operators_values k);

@@ -308,39 +308,57 @@ static bool beside_body(const struct weights *weights, size_t row) {
     return beside;
 }
 
-/* Adds to a sum what an entry brings to the inertia of i: 1/2 b . (u_i + u_j) (u_j - u_i) + 1/2 b . (u_j - u_i) u_i, less what diffusion its
+/* The value of a row, and by how much that of an entry differs. */
+struct link {
+    const double *own;
+    double difference[3];
+};
+
+/* Adds to a sum what an entry brings to the inertia of i: 1/2 b . (g_i + g_j) (u_j - u_i) + share b . (g_j - g_i) u_i, less what diffusion its
  * link lacks: `diffusion` is that which it has, INFINITY where it wants no more. */
-static inline void add_inertia(const double *b, int dimension, double diffusion, const double *own,
-                               const double difference[3], double sum[3]) {
+static inline void add_inertia(const double *b, int dimension, double diffusion, double share,
+                               const struct link *g, const struct link *u, double sum[3]) {
     double carry = 0, spread = 0;
     for (int d = 0; d < dimension; d++) {
-        carry += 0.5 * b[d] * (2 * own[d] + difference[d]);
-        spread += 0.5 * b[d] * difference[d];
+        carry += 0.5 * b[d] * (2 * g->own[d] + g->difference[d]);
+        spread += share * b[d] * g->difference[d];
     }
     carry -= fmax(0, fabs(carry) / OPERATORS_LINK_PECLET - diffusion);
     for (int d = 0; d < 3; d++)
-        sum[d] += carry * difference[d] + spread * own[d];
+        sum[d] += carry * u->difference[d] + spread * u->own[d];
 }
 
-void operators_inertia(const struct weights *weights, struct operators_values u, double viscosity,
+static void link_to(const double *other, struct link *link) {
+    for (int d = 0; d < 3; d++)
+        link->difference[d] = other[d] - link->own[d];
+}
+
+void operators_inertia(const struct weights *weights, const struct operators_stream *stream, double viscosity,
                        double (*out)[3]) {
+    const struct operators_values flow = stream->flow, of = stream->velocity;
+    const bool same = flow.value == of.value;
 #pragma omp parallel for schedule(static)
     for (size_t row = 0; row < weights->rows; row++) {
-        const double *own = at(u, weights->first + row);
-        double sum[3] = {0}, difference[3];
+        struct link g = {.own = at(flow, weights->first + row)}, u = {.own = at(of, weights->first + row)};
+        const struct link *carried = same ? &g : &u;
+        double sum[3] = {0};
         size_t e = weights->start[row], wall = weights->wall_start[row];
         double enough = beside_body(weights, row) ? 0 : INFINITY;
         for (; e < weights_walls(weights, row); e++) {
-            const double *other = partner_at(weights, u, e);
-            for (int d = 0; d < 3; d++)
-                difference[d] = other[d] - own[d];
+            link_to(partner_at(weights, flow, e), &g);
+            if (!same)
+                link_to(partner_at(weights, of, e), &u);
             add_inertia(weights_vector(weights, e), weights->dimension,
-                        enough + viscosity * fmax(weights_scalar(weights, e), 0), own, difference, sum);
+                        enough + viscosity * fmax(weights_scalar(weights, e), 0), stream->share, &g, carried,
+                        sum);
         }
         for (; wall < weights->wall_start[row + 1]; e++, wall++) {
             double part = weights_image_of(weights, wall) != NULL ? 1 : 2 / (1 + weights->mirror[wall]);
-            mirror_part(weights, wall, u, own, part, difference);
-            add_inertia(weights_vector(weights, e), weights->dimension, INFINITY, own, difference, sum);
+            mirror_part(weights, wall, flow, g.own, part, g.difference);
+            if (!same)
+                mirror_part(weights, wall, of, u.own, part, u.difference);
+            add_inertia(weights_vector(weights, e), weights->dimension, INFINITY, stream->share, &g, carried,
+                        sum);
         }
         for (int d = 0; d < 3; d++)
             out[row][d] = sum[d];

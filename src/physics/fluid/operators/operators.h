@@ -60,7 +60,18 @@ void operators_advection(const struct weights *weights, struct operators_values 
  * up to a speed of 2 OPERATORS_LINK_PECLET viscosities (kinematic) over the distance of j, 4.5 over the spacing for the farthest neighbours of the default support.
  * A link between such a row and one farther from bodies has it on one side alone. */
 #define OPERATORS_LINK_PECLET 5.0
-void operators_inertia(const struct weights *weights, struct operators_values u, double viscosity,
+
+/* In general a volume flow g carries the velocity u:
+ *
+ *   sum over j of (a_ij - k_ij) (u_j - u_i) + share b_ij . (g_j - g_i) u_i,   a_ij = 1/2 b_ij . (g_i + g_j)
+ *
+ * With g = u and share 1/2 that is the sum above. With share 1 it is div (g u), which on a lattice is sum over j of a_ij (u_i + u_j): no momentum gets lost, and
+ * where d e/dt = -div g no energy 1/2 e u^2. */
+struct operators_stream {
+    struct operators_values flow, velocity; /* g, u */
+    double share;
+};
+void operators_inertia(const struct weights *weights, const struct operators_stream *stream, double viscosity,
                        double (*out)[3]);
 
 /* out[row] = div g over fluid neighbours alone, without walls: of a gradient of the pressure. */

@@ -17,7 +17,8 @@ enum flow_array {
     FLOW_ROW,
     FLOW_GRADIENT,
     FLOW_VOLUME,
-    FLOW_WHOLE
+    FLOW_WHOLE,
+    FLOW_MOBILITY
 };
 
 /* All borrowed. Values of fluid particles alone are used. */
@@ -38,10 +39,14 @@ struct flow {
     double *drift_advection; /* (drift . grad) u */
     double *gradient;        /* grad p; scratch of a step */
     const double (*body)[3]; /* by row: force/volume beside that of the drive; NULL: none */
-    int64_t *row;            /* global number of a fluid particle's row (flow_number) */
-    bool pressed;            /* a pressure is given at an open side of each region: it has no free constant */
-    int regions;             /* connected regions of the fluid on all ranks, >= 1 */
-    const int32_t *region;   /* by row of the weights; NULL with one region */
+    const double *resist;    /* by row: drag at the end of a step over inertia, a of projection.h; NULL: 0 */
+    const double *mobility;  /* k of projection.h, by particle number, of copies, too; NULL: 1 */
+    /* by particle number, of copies, too: volume flow of the fluid and its velocity, where grains take a part of the room; NULL: both are `velocity` */
+    const double (*carried)[2][3];
+    int64_t *row;          /* global number of a fluid particle's row (flow_number) */
+    bool pressed;          /* a pressure is given at an open side of each region: it has no free constant */
+    int regions;           /* connected regions of the fluid on all ranks, >= 1 */
+    const int32_t *region; /* by row of the weights; NULL with one region */
     /* Sends an array's values to the copies. NULL: there are none. Collective. */
     void (*forward)(const struct flow *flow, enum flow_array array);
     const void *context;

@@ -10,6 +10,7 @@
 #include "physics/fluid/coupling/rigid_step.h"
 #include "physics/fluid/coupling/surface_loads.h"
 #include "physics/fluid/coupling/unresolved_grains.h"
+#include "physics/fluid/coupling/unresolved_shares.h"
 #include "physics/fluid/carried/electrolyte.h"
 #include "physics/fluid/lattice/surface_feet.h"
 #include "physics/fluid/fluid_fields.h"
@@ -156,7 +157,7 @@ void fluid_passes_rebuilt(const struct physics_context *context) {
     if (fluid->weights.whole != NULL)
         flow_forward(&fluid->flow, FLOW_WHOLE);
     if (unresolved_any(fluid->options) && context->clock->step == 0)
-        unresolved_look(context); /* the first limit of a step reads what grains see */
+        unresolved_begin(context); /* the first limit of a step reads what grains see */
     if (fluid->rigid != NULL)
         rigid_step_pairs(context, fluid->rigid, &fluid->pairs);
     if (lubrication_wanted(context))
@@ -228,6 +229,8 @@ static void step_transient(const struct physics_context *context, struct fluid *
         return;
     if (old && moves)
         projection_refill(fluid->projection, &fluid->flow);
+    if (old && fluid->flow.mobility != NULL)
+        projection_refill_pressure(fluid->projection, &fluid->flow);
     if (old && fluid->renew)
         projection_renew(fluid->projection);
     fluid->renew = false;
@@ -341,6 +344,8 @@ static void step_run(const struct physics_context *context, struct fluid *fluid)
         step_steady(context, fluid);
     else if (fluid->error.kind == ERROR_NONE)
         step_transient(context, fluid);
+    if (fluid->error.kind == ERROR_NONE && unresolved_any(fluid->options))
+        unresolved_look(context, grain_dt(context));
     if (fluid->error.kind == ERROR_NONE && fluid->scalars != NULL)
         scalars_step(context, fluid->options->time == FLUID_TRANSIENT);
     solver_watch_step(context);
@@ -357,7 +362,7 @@ void fluid_passes_step(const struct physics_context *context) {
         return;
     bool due = context->clock->step != fluid->done && grain_due(context);
     if (unresolved_any(fluid->options))
-        unresolved_give(context, grain_dt(context));
+        unresolved_give(context);
     if (fluid->rigid != NULL)
         rigid_motion_gather(context);
     if (due)
@@ -407,7 +412,7 @@ void fluid_passes_end(void *self) {
         rigid_step_free(fluid->rigid);
     memory_free(fluid->rigid);
     lubrication_pairs_destroy(&fluid->lubrication);
-    memory_free(fluid->given);
+    unresolved_shares_destroy(&fluid->dust);
     memory_free(fluid->jump);
     memory_free(fluid->gaps);
     memory_free(fluid);

@@ -12,7 +12,7 @@ bool pressure_make(struct pressure *pressure, struct solve *solve, struct assemb
     if (pressure->share != NULL)
         assembly_shared(assembly, weights, pressure->share);
     else
-        assembly_pressure(assembly, weights, pressure->whole);
+        assembly_pressure(assembly, weights, pressure->whole, pressure->whole ? flow->mobility : NULL);
     struct solve_rows rows = assembly_rows(assembly);
     pressure->side = memory_allocate(weights->rows, sizeof(double), "pressure");
     pressure->solution = memory_allocate_zero(weights->rows, sizeof(double), "pressure");

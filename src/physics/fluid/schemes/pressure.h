@@ -8,7 +8,7 @@
 
 struct pressure {
     bool
-        whole; /* with c of gradient_correction.h where the weights have it; set before pressure_make, and kept */
+        whole; /* with c of gradient_correction.h where the weights have it, and flow->mobility; set before pressure_make, and kept */
     const double *
         share; /* instead: by entry, factors of w_ij (shares.h); set before pressure_make, and borrowed till then; NULL: none */
     struct solve_system *system;

@@ -66,9 +66,13 @@ void projection_destroy(struct projection **projection) {
 }
 
 void projection_refill(struct projection *projection, const struct flow *flow) {
-    assembly_pressure(&projection->assembly, flow->weights, true);
-    solve_values(projection->pressure.system, projection->assembly.value);
+    projection_refill_pressure(projection, flow);
     momentum_refill(&projection->momentum);
+}
+
+void projection_refill_pressure(struct projection *projection, const struct flow *flow) {
+    assembly_pressure(&projection->assembly, flow->weights, true, flow->mobility);
+    solve_values(projection->pressure.system, projection->assembly.value);
 }
 
 void projection_renew(struct projection *projection) {
@@ -83,8 +87,12 @@ static void extrapolate_advection(struct projection *projection, const struct fl
     double ahead = past->steps > 0 ? 0.5 * dt / past->dt : 0;
     if (!projection->options.advection)
         return;
-    operators_inertia(weights, flow_velocity(flow),
-                      projection->options.viscosity / projection->options.density, projection->advection);
+    struct operators_stream stream = {flow_velocity(flow), flow_velocity(flow), 0.5};
+    if (flow->carried != NULL)
+        stream = (struct operators_stream){
+            {.value = flow->carried[0][0], .stride = 6}, {.value = flow->carried[0][1], .stride = 6}, 1};
+    operators_inertia(weights, &stream, projection->options.viscosity / projection->options.density,
+                      projection->advection);
     for (size_t row = 0; row < weights->rows; row++)
         for (size_t d = 0; d < 3; d++) {
             double *before = &flow->advection_before[3 * (weights->first + row) + d],
@@ -147,13 +155,25 @@ void projection_correct(struct projection *projection, const struct flow *flow, 
     for (size_t row = 0; row < weights->rows; row++) {
         size_t i = weights->first + row;
         double *u = flow_velocity_of(flow, row);
+        double part = flow->mobility != NULL ? share * flow->mobility[i] : share;
         for (int d = 0; d < weights->dimension; d++)
-            u[d] = flow->predicted[3 * i + (size_t)d] - share * projection->gradient[row][d];
+            u[d] = flow->predicted[3 * i + (size_t)d] - part * projection->gradient[row][d];
         flow->pressure[i] =
             projection->pressed[row] + flow->increment[i] - rotational * projection->divergence[row];
     }
     flow_forward(flow, FLOW_VELOCITY);
     flow_forward(flow, FLOW_PRESSURE);
+}
+
+/* Drag at the end of the step: u* changes less. */
+static void resist(const struct flow *flow) {
+    const struct weights *weights = flow->weights;
+    for (size_t row = 0; row < weights->rows && flow->resist != NULL; row++)
+        for (size_t d = 0; d < (size_t)weights->dimension; d++) {
+            double *to = &flow->predicted[3 * (weights->first + row) + d],
+                   from = flow_velocity_of(flow, row)[d];
+            *to = from + (*to - from) / (1 + flow->resist[row]);
+        }
 }
 
 bool projection_predict(struct projection *projection, const struct flow *flow,
@@ -167,8 +187,10 @@ bool projection_predict(struct projection *projection, const struct flow *flow,
         for (int d = 0; d < 3; d++)
             projection->side[row][d] += push->impulse[row][d];
     projection_keep(projection, flow);
-    return momentum_solve(&projection->momentum, &projection->assembly, flow, implicit,
-                          (const double(*)[3])projection->side, error);
+    bool good = momentum_solve(&projection->momentum, &projection->assembly, flow, implicit,
+                               (const double(*)[3])projection->side, error);
+    resist(flow);
+    return good;
 }
 
 bool projection_project(struct projection *projection, const struct flow *flow, double dt, bool guess,

@@ -7,6 +7,9 @@
  *   div grad phi = rho / dt (div u* - mean),   u^(n+1) = u* - dt / rho grad phi
  *   p -> p + phi - theta mu div u*
  *
+ * Where grains that the fluid does not resolve take part in a step (physics/fluid/coupling/unresolved_grains.h), u* becomes u^n + (u* - u^n) / (1 + a), and the
+ * last two lines are div k grad phi and dt / rho k grad phi, with a (flow->resist) and k (flow->mobility) of each particle. A(u) is that of flow->carried.
+ *
  * with theta = 1/2 and A = 3/2 A(u^n) - 1/2 A(u^(n-1)), A(u) of operators_inertia, for equal steps; in the first step
  * theta = 1 (backward Euler) and A = A(u^0). Second order in dt for the velocity; p belongs to the
  * middle of the step. No limit of dt from viscosity; advection wants max |u| dt <= 0.5 spacing. Between grains and open sides
@@ -43,6 +46,9 @@ void projection_destroy(struct projection **projection);
 
 /* The weights have new values on the old pattern: particles have moved. */
 void projection_refill(struct projection *projection, const struct flow *flow);
+
+/* flow->mobility has new values. */
+void projection_refill_pressure(struct projection *projection, const struct flow *flow);
 
 /* The next solve for the pressure makes its preconditioner: after a checkpoint, as a run that is resumed from it does.
  * Not collective, but alike on all ranks. */

@@ -110,6 +110,7 @@ struct wall_options {
     double offset[3];           /* MESH: added after scaling */
     bool field;                 /* MESH: felt by a distance field (wall_field.h) */
     double field_spacing;       /* of its nodes, length; NAN: by the size of the mesh */
+    bool permeable;             /* holds grains alone: a fluid goes through */
     int motions;
     struct wall_motion motion[WALL_MOTIONS_MAX];
     struct wall_free_options free; /* goes with no motions */
