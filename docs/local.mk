@@ -34,13 +34,12 @@ EXTRA_DIST += \
 	%D%/images/verify-fluid-operators.svg %D%/images/verify-fluid-poiseuille.svg \
 	%D%/images/verify-fluid-sphere-array.svg %D%/images/verify-fluid-taylor-aris.svg \
 	%D%/images/verify-fluid-taylor-green.svg %D%/images/verify-free-fall.svg %D%/images/verify-haff.svg \
-	%D%/images/verify-hard-boulder-discs.svg \
-	%D%/images/verify-hard-boulder.svg %D%/images/verify-hard-chain.svg %D%/images/verify-hard-column.svg \
-	%D%/images/verify-hard-haff.svg %D%/images/verify-hard-impact.svg %D%/images/verify-hard-janssen.svg \
-	%D%/images/verify-hard-mu-of-i.svg %D%/images/verify-hard-rest.svg %D%/images/verify-hard-sliding.svg \
-	%D%/images/verify-hard-slope.svg %D%/images/verify-heat-chain.svg %D%/images/verify-heat-rod.svg \
-	%D%/images/verify-implicit-hertz.svg %D%/images/verify-incline.svg %D%/images/verify-janssen.svg \
-	%D%/images/verify-jkr-pull-off.svg %D%/images/verify-lees-edwards-gas.svg \
+	%D%/images/verify-hard-boulder-discs.svg %D%/images/verify-hard-boulder.svg %D%/images/verify-hard-chain.svg \
+	%D%/images/verify-hard-column.svg %D%/images/verify-hard-haff.svg %D%/images/verify-hard-impact.svg \
+	%D%/images/verify-hard-janssen.svg %D%/images/verify-hard-mu-of-i.svg %D%/images/verify-hard-rest.svg \
+	%D%/images/verify-hard-sliding.svg %D%/images/verify-hard-slope.svg %D%/images/verify-heat-chain.svg \
+	%D%/images/verify-heat-rod.svg %D%/images/verify-implicit-hertz.svg %D%/images/verify-incline.svg \
+	%D%/images/verify-janssen.svg %D%/images/verify-jkr-pull-off.svg %D%/images/verify-lees-edwards-gas.svg \
 	%D%/images/verify-luding-unloading.svg %D%/images/verify-many-body.svg %D%/images/verify-moving-wall.svg \
 	%D%/images/verify-order-hertz.svg %D%/images/verify-order-hooke.svg %D%/images/verify-periodic.svg \
 	%D%/images/verify-plane-mesh.svg %D%/images/verify-restitution-hertz.svg \

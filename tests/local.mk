@@ -42,11 +42,11 @@ check_PROGRAMS += \
 	%D%/physics/fluid/schemes/test_fluid_open_sides %D%/physics/fluid/schemes/test_fluid_particle_shift \
 	%D%/physics/fluid/schemes/test_fluid_residual %D%/physics/grains/batch/test_force \
 	%D%/physics/grains/batch/test_force_loop %D%/physics/grains/laws/test_law \
-	%D%/physics/grains/laws/test_law_impact %D%/physics/grains/laws/test_law_motion \
-	%D%/physics/grains/laws/test_law_loops %D%/physics/grains/laws/test_law_parts %D%/physics/grains/laws/test_law_range \
-	%D%/physics/grains/motion/test_integrator %D%/physics/grains/motion/test_stability \
-	%D%/physics/grains/motion/test_timestep %D%/physics/grains/walls/test_mesh \
-	%D%/physics/grains/walls/test_mesh_ply %D%/physics/grains/walls/test_wall \
+	%D%/physics/grains/laws/test_law_impact %D%/physics/grains/laws/test_law_loops \
+	%D%/physics/grains/laws/test_law_motion %D%/physics/grains/laws/test_law_parts \
+	%D%/physics/grains/laws/test_law_range %D%/physics/grains/motion/test_integrator \
+	%D%/physics/grains/motion/test_stability %D%/physics/grains/motion/test_timestep \
+	%D%/physics/grains/walls/test_mesh %D%/physics/grains/walls/test_mesh_ply %D%/physics/grains/walls/test_wall \
 	%D%/physics/grains/walls/test_wall_edge %D%/physics/grains/walls/test_wall_field \
 	%D%/physics/grains/walls/test_wall_free %D%/physics/grains/walls/test_wall_history \
 	%D%/physics/grains/walls/test_wall_images %D%/physics/grains/walls/test_wall_mesh \
