@@ -22,37 +22,39 @@ check_PROGRAMS += \
 	%D%/mpi/test_domain %D%/mpi/test_dump %D%/mpi/test_exchange %D%/mpi/test_fluid_coupled_solve \
 	%D%/mpi/test_fluid_electrolyte %D%/mpi/test_fluid_matrices %D%/mpi/test_fluid_moving_step \
 	%D%/mpi/test_fluid_nodes %D%/mpi/test_fluid_passes %D%/mpi/test_fluid_rigid_bodies \
-	%D%/mpi/test_fluid_rigid_motion %D%/mpi/test_fluid_rigid_step %D%/mpi/test_fluid_scalars \
-	%D%/mpi/test_fluid_solver_watch %D%/mpi/test_fluid_surroundings %D%/mpi/test_ghosts %D%/mpi/test_ghosts_sums \
-	%D%/mpi/test_groups %D%/mpi/test_h5md %D%/mpi/test_h5md_read %D%/mpi/test_h5md_run %D%/mpi/test_library \
-	%D%/mpi/test_migrate %D%/mpi/test_mover %D%/mpi/test_observables %D%/mpi/test_projection \
-	%D%/mpi/test_regions %D%/mpi/test_report %D%/mpi/test_scene_ranks %D%/mpi/test_shadows %D%/mpi/test_shear \
-	%D%/mpi/test_solve %D%/mpi/test_solve_interface %D%/mpi/test_stress %D%/physics/bodies/shapes/test_chamfer \
-	%D%/physics/bodies/shapes/test_solid %D%/physics/bodies/shapes/test_stiff \
-	%D%/physics/bodies/shapes/test_touch %D%/physics/bodies/test_bodies %D%/physics/bodies/test_clump \
-	%D%/physics/bonds/test_bonds %D%/physics/bonds/test_bonds_links %D%/physics/drag/test_drag \
-	%D%/physics/fluid/carried/test_fluid_layer %D%/physics/fluid/carried/test_fluid_scalar_links \
-	%D%/physics/fluid/coupling/test_fluid_grain_coupling %D%/physics/fluid/coupling/test_fluid_grain_surfaces \
-	%D%/physics/fluid/coupling/test_fluid_lubrication %D%/physics/fluid/coupling/test_fluid_rigid \
-	%D%/physics/fluid/lattice/test_fluid_arrangement %D%/physics/fluid/lattice/test_fluid_body_surfaces \
-	%D%/physics/fluid/lattice/test_fluid_mirror %D%/physics/fluid/lattice/test_fluid_pattern \
-	%D%/physics/fluid/lattice/test_fluid_walls %D%/physics/fluid/operators/test_fluid_correction_tensors \
+	%D%/mpi/test_fluid_rigid_motion %D%/mpi/test_fluid_rigid_step %D%/mpi/test_fluid_rigid_walls \
+	%D%/mpi/test_fluid_scalars %D%/mpi/test_fluid_solver_watch %D%/mpi/test_fluid_surroundings \
+	%D%/mpi/test_ghosts %D%/mpi/test_ghosts_sums %D%/mpi/test_groups %D%/mpi/test_h5md %D%/mpi/test_h5md_read \
+	%D%/mpi/test_h5md_run %D%/mpi/test_library %D%/mpi/test_migrate %D%/mpi/test_mover %D%/mpi/test_observables \
+	%D%/mpi/test_projection %D%/mpi/test_regions %D%/mpi/test_report %D%/mpi/test_scene_ranks \
+	%D%/mpi/test_shadows %D%/mpi/test_shear %D%/mpi/test_solve %D%/mpi/test_solve_interface %D%/mpi/test_stress \
+	%D%/physics/bodies/shapes/test_chamfer %D%/physics/bodies/shapes/test_solid \
+	%D%/physics/bodies/shapes/test_stiff %D%/physics/bodies/shapes/test_touch %D%/physics/bodies/test_bodies \
+	%D%/physics/bodies/test_clump %D%/physics/bonds/test_bonds %D%/physics/bonds/test_bonds_links \
+	%D%/physics/drag/test_drag %D%/physics/fluid/carried/test_fluid_layer \
+	%D%/physics/fluid/carried/test_fluid_scalar_links %D%/physics/fluid/coupling/test_fluid_grain_coupling \
+	%D%/physics/fluid/coupling/test_fluid_grain_surfaces %D%/physics/fluid/coupling/test_fluid_lubrication \
+	%D%/physics/fluid/coupling/test_fluid_rigid %D%/physics/fluid/lattice/test_fluid_arrangement \
+	%D%/physics/fluid/lattice/test_fluid_body_surfaces %D%/physics/fluid/lattice/test_fluid_mirror \
+	%D%/physics/fluid/lattice/test_fluid_pattern %D%/physics/fluid/lattice/test_fluid_walls \
+	%D%/physics/fluid/operators/test_fluid_correction_tensors \
 	%D%/physics/fluid/operators/test_fluid_gradient_correction %D%/physics/fluid/operators/test_fluid_mls \
 	%D%/physics/fluid/operators/test_fluid_operators %D%/physics/fluid/schemes/test_fluid_drive \
 	%D%/physics/fluid/schemes/test_fluid_open_sides %D%/physics/fluid/schemes/test_fluid_particle_shift \
 	%D%/physics/fluid/schemes/test_fluid_residual %D%/physics/grains/batch/test_force \
 	%D%/physics/grains/batch/test_force_loop %D%/physics/grains/laws/test_law \
-	%D%/physics/grains/laws/test_law_impact %D%/physics/grains/laws/test_law_motion \
-	%D%/physics/grains/laws/test_law_loops %D%/physics/grains/laws/test_law_parts %D%/physics/grains/laws/test_law_range \
-	%D%/physics/grains/motion/test_integrator %D%/physics/grains/motion/test_stability \
-	%D%/physics/grains/motion/test_timestep %D%/physics/grains/walls/test_mesh \
-	%D%/physics/grains/walls/test_mesh_ply %D%/physics/grains/walls/test_wall \
-	%D%/physics/grains/walls/test_wall_edge %D%/physics/grains/walls/test_wall_field \
-	%D%/physics/grains/walls/test_wall_free %D%/physics/grains/walls/test_wall_history \
-	%D%/physics/grains/walls/test_wall_images %D%/physics/grains/walls/test_wall_mesh \
-	%D%/physics/grains/walls/test_wall_motion %D%/physics/grains/walls/test_wall_moving \
-	%D%/physics/grains/walls/test_wall_touch %D%/physics/hard/test_hard %D%/physics/hard/test_models \
-	%D%/physics/hard/test_newton %D%/physics/hard/test_pull %D%/physics/hard/test_resist
+	%D%/physics/grains/laws/test_law_impact %D%/physics/grains/laws/test_law_loops \
+	%D%/physics/grains/laws/test_law_motion %D%/physics/grains/laws/test_law_parts \
+	%D%/physics/grains/laws/test_law_range %D%/physics/grains/motion/test_integrator \
+	%D%/physics/grains/motion/test_stability %D%/physics/grains/motion/test_timestep \
+	%D%/physics/grains/walls/test_mesh %D%/physics/grains/walls/test_mesh_ply %D%/physics/grains/walls/test_wall \
+	%D%/physics/grains/walls/test_wall_depth %D%/physics/grains/walls/test_wall_edge \
+	%D%/physics/grains/walls/test_wall_field %D%/physics/grains/walls/test_wall_free \
+	%D%/physics/grains/walls/test_wall_history %D%/physics/grains/walls/test_wall_images \
+	%D%/physics/grains/walls/test_wall_mesh %D%/physics/grains/walls/test_wall_motion \
+	%D%/physics/grains/walls/test_wall_moving %D%/physics/grains/walls/test_wall_touch \
+	%D%/physics/hard/test_hard %D%/physics/hard/test_models %D%/physics/hard/test_newton \
+	%D%/physics/hard/test_pull %D%/physics/hard/test_resist
 check_LTLIBRARIES += libtests.la
 libtests_la_SOURCES = \
 	%D%/index/bench_fit.c %D%/index/bench_scene.c %D%/index/index_cloud.c %D%/mpi/cloud.c %D%/mpi/fixture.c \

@@ -7,9 +7,9 @@ libfluid_la_SOURCES = \
 	%D%/coupling/boundary_motion.c %D%/coupling/coupled_solve.c %D%/coupling/grain_coupling.c \
 	%D%/coupling/lubrication.c %D%/coupling/lubrication_pairs.c %D%/coupling/rigid_bodies.c \
 	%D%/coupling/rigid_fields.c %D%/coupling/rigid_grains.c %D%/coupling/rigid_motion.c \
-	%D%/coupling/rigid_step.c %D%/coupling/rigid_suits.c %D%/coupling/rigid_sums.c %D%/coupling/solid_field.c \
-	%D%/coupling/surface_loads.c %D%/coupling/unresolved_grains.c %D%/flow_output.c %D%/fluid.c \
-	%D%/fluid_fields.c %D%/fluid_physics.c %D%/fluid_rows.c %D%/lattice/arrangement.c \
+	%D%/coupling/rigid_step.c %D%/coupling/rigid_suits.c %D%/coupling/rigid_sums.c %D%/coupling/rigid_walls.c \
+	%D%/coupling/solid_field.c %D%/coupling/surface_loads.c %D%/coupling/unresolved_grains.c %D%/flow_output.c \
+	%D%/fluid.c %D%/fluid_fields.c %D%/fluid_physics.c %D%/fluid_rows.c %D%/lattice/arrangement.c \
 	%D%/lattice/body_surfaces.c %D%/lattice/lattice_fill.c %D%/lattice/lattice_fill_open.c %D%/lattice/mirror.c \
 	%D%/lattice/narrow_gaps.c %D%/lattice/nodes.c %D%/lattice/pattern.c %D%/lattice/regions.c \
 	%D%/lattice/surface_feet.c %D%/lattice/surface_marks.c %D%/observe_drag.c %D%/observe_flow.c \
@@ -26,7 +26,7 @@ libfluid_la_SOURCES = \
 	%D%/coupling/coupled_solve.h %D%/coupling/grain_coupling.h %D%/coupling/lubrication.h \
 	%D%/coupling/lubrication_pairs.h %D%/coupling/rigid_bodies.h %D%/coupling/rigid_fields.h \
 	%D%/coupling/rigid_grains.h %D%/coupling/rigid_motion.h %D%/coupling/rigid_step.h %D%/coupling/rigid_suits.h \
-	%D%/coupling/rigid_sums.h %D%/coupling/solid_field.h %D%/coupling/surface_loads.h \
+	%D%/coupling/rigid_sums.h %D%/coupling/rigid_walls.h %D%/coupling/solid_field.h %D%/coupling/surface_loads.h \
 	%D%/coupling/unresolved_grains.h %D%/flow_output.h %D%/fluid.h %D%/fluid_fields.h %D%/fluid_state.h \
 	%D%/lattice/arrangement.h %D%/lattice/body_surfaces.h %D%/lattice/lattice_fill.h \
 	%D%/lattice/lattice_fill_parts.h %D%/lattice/mirror.h %D%/lattice/narrow_gaps.h %D%/lattice/nodes.h \

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* The point of a solid wall nearest to a place, for other physics than contacts. Read wall.h first. */
 #include "base/memory.h"
+#include "physics/grains/walls/walls_foot.h"
 #include "physics/grains/walls/walls_touch.h"
 #include <math.h>
 #include <stdlib.h>
@@ -121,6 +122,15 @@ static struct surface surface_of(const struct walls *walls, const struct wall *w
     if (wall->moving)
         surface.normal = wall_turn(wall->pose.rotation, surface.normal);
     return surface;
+}
+
+double walls_mesh_distance(const struct wall *wall, struct law_vector x, double reach) {
+    return mesh_surface(wall, x, reach).distance;
+}
+
+double walls_cylinder_distance(const struct walls *walls, const struct wall *wall, struct law_vector here) {
+    struct wall_cylinder cylinder = walls_cylinder(wall);
+    return cylinder_surface(&cylinder, walls->box.dimension == 2, here).distance;
 }
 
 void walls_foot(const struct walls *walls, int wall, const double x[3], double reach,
