@@ -9,7 +9,7 @@ dist_check_SCRIPTS += \
 	%D%/bodies_bonds.sh %D%/bodies_boxes.sh %D%/bodies_come.sh %D%/bodies_drag.sh %D%/bonds.sh %D%/cohesion.sh \
 	%D%/density.sh %D%/drag.sh %D%/drum.sh %D%/dust.sh %D%/endless.sh %D%/entries.sh %D%/faults.sh \
 	%D%/features.sh %D%/field_walls.sh %D%/fluid.sh %D%/fluid_bodies.sh %D%/fluid_rigid.sh \
-	%D%/fluid_rigid_bodies.sh %D%/fluid_rigid_walls.sh %D%/fluid_scalars.sh \
+	%D%/fluid_rigid_bodies.sh %D%/fluid_rigid_scalars.sh %D%/fluid_rigid_walls.sh %D%/fluid_scalars.sh \
 	%D%/folder.sh %D%/free_walls.sh %D%/guards.sh %D%/hard.sh %D%/heat.sh %D%/ids.sh %D%/lammps.sh \
 	%D%/layouts.sh %D%/library.sh %D%/many.sh %D%/needs.sh %D%/observables.sh %D%/oracle.sh %D%/pack.sh \
 	%D%/pages.sh %D%/physics.sh %D%/picture.sh %D%/pores.sh %D%/random_scenes.sh %D%/ranks.sh %D%/readers.sh \
