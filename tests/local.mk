@@ -4,35 +4,39 @@
 # of its source on how many ranks it is run: "Ranks: 1 2 3 4 8" (and "Long: 27" for check-long).
 
 check_PROGRAMS += \
-	%D%/base/test_checksum %D%/base/test_eigen3 %D%/base/test_error %D%/base/test_exact %D%/base/test_file \
-	%D%/base/test_hash %D%/base/test_memory %D%/base/test_random %D%/base/test_scan %D%/base/test_team \
-	%D%/base/test_timer %D%/base/test_version %D%/data/formats/test_lammps %D%/data/formats/test_output_options \
-	%D%/data/observe/test_describe %D%/data/observe/test_progress %D%/data/scene/test_generate \
-	%D%/data/scene/test_insertion %D%/data/scene/test_packed %D%/data/scene/test_placegrid \
-	%D%/data/scene/test_region %D%/data/scene/test_scene %D%/data/scene/test_scene_allowed \
-	%D%/data/scene/test_scene_check %D%/data/scene/test_scene_compare %D%/data/scene/test_scene_large \
-	%D%/data/scene/test_schema %D%/data/scene/test_sizes %D%/data/scene/test_source %D%/data/scene/test_tree \
-	%D%/data/scene/test_units %D%/engine/test_plan %D%/front/library/test_library %D%/front/pack/test_pack \
-	%D%/front/pack/test_pack_draw %D%/front/view/test_board %D%/index/test_auto %D%/index/test_index \
-	%D%/index/test_levels %D%/index/test_stay %D%/index/test_stencil %D%/index/test_wanted \
-	%D%/kernel/pairs/test_history %D%/kernel/pairs/test_interaction %D%/kernel/pairs/test_pairlist \
-	%D%/kernel/pairs/test_skin %D%/kernel/pairs/test_skin_choice %D%/kernel/pairs/test_sweep \
-	%D%/kernel/particles/test_classes %D%/kernel/particles/test_particles %D%/mpi/test_balance \
-	%D%/mpi/test_checkpoint %D%/mpi/test_checkpoint_damage %D%/mpi/test_comm %D%/mpi/test_copies \
-	%D%/mpi/test_domain %D%/mpi/test_dump %D%/mpi/test_exchange %D%/mpi/test_fluid_coupled_solve \
+	%D%/base/test_checksum %D%/base/test_eigen3 %D%/base/test_error %D%/base/test_exact \
+	%D%/base/test_file %D%/base/test_hash %D%/base/test_memory %D%/base/test_random %D%/base/test_scan \
+	%D%/base/test_team %D%/base/test_timer %D%/base/test_version %D%/data/formats/test_lammps \
+	%D%/data/formats/test_output_options %D%/data/observe/test_describe %D%/data/observe/test_progress \
+	%D%/data/scene/test_generate %D%/data/scene/test_insertion %D%/data/scene/test_packed \
+	%D%/data/scene/test_placegrid %D%/data/scene/test_region %D%/data/scene/test_scene \
+	%D%/data/scene/test_scene_allowed %D%/data/scene/test_scene_check %D%/data/scene/test_scene_compare \
+	%D%/data/scene/test_scene_large %D%/data/scene/test_schema %D%/data/scene/test_sizes \
+	%D%/data/scene/test_source %D%/data/scene/test_tree %D%/data/scene/test_units %D%/engine/test_plan \
+	%D%/front/library/test_library %D%/front/pack/test_pack %D%/front/pack/test_pack_draw \
+	%D%/front/view/test_board %D%/index/test_auto %D%/index/test_index %D%/index/test_levels \
+	%D%/index/test_stay %D%/index/test_stencil %D%/index/test_wanted %D%/kernel/pairs/test_history \
+	%D%/kernel/pairs/test_interaction %D%/kernel/pairs/test_pairlist %D%/kernel/pairs/test_skin \
+	%D%/kernel/pairs/test_skin_choice %D%/kernel/pairs/test_sweep %D%/kernel/particles/test_classes \
+	%D%/kernel/particles/test_particles %D%/mpi/test_balance %D%/mpi/test_checkpoint \
+	%D%/mpi/test_checkpoint_damage %D%/mpi/test_comm %D%/mpi/test_copies %D%/mpi/test_domain \
+	%D%/mpi/test_dump %D%/mpi/test_exchange %D%/mpi/test_fluid_coupled_solve \
 	%D%/mpi/test_fluid_electrolyte %D%/mpi/test_fluid_matrices %D%/mpi/test_fluid_moving_step \
 	%D%/mpi/test_fluid_nodes %D%/mpi/test_fluid_passes %D%/mpi/test_fluid_rigid_bodies \
-	%D%/mpi/test_fluid_rigid_motion %D%/mpi/test_fluid_rigid_step %D%/mpi/test_fluid_scalars \
-	%D%/mpi/test_fluid_solver_watch %D%/mpi/test_fluid_surroundings %D%/mpi/test_ghosts %D%/mpi/test_ghosts_sums \
-	%D%/mpi/test_groups %D%/mpi/test_h5md %D%/mpi/test_h5md_read %D%/mpi/test_h5md_run %D%/mpi/test_library \
-	%D%/mpi/test_migrate %D%/mpi/test_mover %D%/mpi/test_observables %D%/mpi/test_projection \
-	%D%/mpi/test_regions %D%/mpi/test_report %D%/mpi/test_scene_ranks %D%/mpi/test_shadows %D%/mpi/test_shear \
-	%D%/mpi/test_solve %D%/mpi/test_solve_interface %D%/mpi/test_stress %D%/physics/bodies/shapes/test_chamfer \
-	%D%/physics/bodies/shapes/test_solid %D%/physics/bodies/shapes/test_stiff \
-	%D%/physics/bodies/shapes/test_touch %D%/physics/bodies/test_bodies %D%/physics/bodies/test_clump \
-	%D%/physics/bonds/test_bonds %D%/physics/bonds/test_bonds_links %D%/physics/drag/test_drag \
+	%D%/mpi/test_fluid_rigid_motion %D%/mpi/test_fluid_rigid_step %D%/mpi/test_fluid_rigid_walls \
+	%D%/mpi/test_fluid_scalars %D%/mpi/test_fluid_solver_watch %D%/mpi/test_fluid_surroundings \
+	%D%/mpi/test_ghosts %D%/mpi/test_ghosts_sums %D%/mpi/test_groups %D%/mpi/test_h5md \
+	%D%/mpi/test_h5md_read %D%/mpi/test_h5md_run %D%/mpi/test_library %D%/mpi/test_migrate \
+	%D%/mpi/test_mover %D%/mpi/test_observables %D%/mpi/test_projection %D%/mpi/test_regions \
+	%D%/mpi/test_report %D%/mpi/test_scene_ranks %D%/mpi/test_shadows %D%/mpi/test_shear \
+	%D%/mpi/test_solve %D%/mpi/test_solve_interface %D%/mpi/test_stress \
+	%D%/physics/bodies/shapes/test_chamfer %D%/physics/bodies/shapes/test_solid \
+	%D%/physics/bodies/shapes/test_stiff %D%/physics/bodies/shapes/test_touch \
+	%D%/physics/bodies/test_bodies %D%/physics/bodies/test_clump %D%/physics/bonds/test_bonds \
+	%D%/physics/bonds/test_bonds_links %D%/physics/drag/test_drag \
 	%D%/physics/fluid/carried/test_fluid_layer %D%/physics/fluid/carried/test_fluid_scalar_links \
-	%D%/physics/fluid/coupling/test_fluid_grain_coupling %D%/physics/fluid/coupling/test_fluid_grain_surfaces \
+	%D%/physics/fluid/coupling/test_fluid_grain_coupling \
+	%D%/physics/fluid/coupling/test_fluid_grain_surfaces \
 	%D%/physics/fluid/coupling/test_fluid_lubrication %D%/physics/fluid/coupling/test_fluid_rigid \
 	%D%/physics/fluid/lattice/test_fluid_arrangement %D%/physics/fluid/lattice/test_fluid_body_surfaces \
 	%D%/physics/fluid/lattice/test_fluid_mirror %D%/physics/fluid/lattice/test_fluid_pattern \
@@ -46,7 +50,8 @@ check_PROGRAMS += \
 	%D%/physics/grains/laws/test_law_motion %D%/physics/grains/laws/test_law_parts \
 	%D%/physics/grains/laws/test_law_range %D%/physics/grains/motion/test_integrator \
 	%D%/physics/grains/motion/test_stability %D%/physics/grains/motion/test_timestep \
-	%D%/physics/grains/walls/test_mesh %D%/physics/grains/walls/test_mesh_ply %D%/physics/grains/walls/test_wall \
+	%D%/physics/grains/walls/test_mesh %D%/physics/grains/walls/test_mesh_ply \
+	%D%/physics/grains/walls/test_wall %D%/physics/grains/walls/test_wall_depth \
 	%D%/physics/grains/walls/test_wall_edge %D%/physics/grains/walls/test_wall_field \
 	%D%/physics/grains/walls/test_wall_free %D%/physics/grains/walls/test_wall_history \
 	%D%/physics/grains/walls/test_wall_images %D%/physics/grains/walls/test_wall_mesh \

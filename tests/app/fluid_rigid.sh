@@ -144,7 +144,6 @@ refused() { # TEXT SETTING...
 }
 check "steady flows are refused" refused 'fluid.time: .*allowed with it: transient' --set fluid.time=steady --set fluid.equations=stokes
 check "particles that move are refused" refused 'fluid.motion: .*allowed with it: fixed' --set fluid.motion=lagrangian
-check "scalars are refused" refused 'fluid.scalars: .*allowed with it: none' --set 'fluid.scalars=[{name: dye, diffusivity: 1}]'
 check "unresolved grains are refused" refused 'fluid.grains.unresolved: ' --set fluid.grains.unresolved=0.1 --set drag.law=stokes
 check "slip is refused" refused 'fluid.walls.velocity: ' --set 'fluid.walls={velocity: slip, slip_length: 1}'
 check "other lattices are refused" refused 'fluid.fill.arrangement: ' --set fluid.fill.arrangement=hexagonal
@@ -203,6 +202,12 @@ small() {
         within "$(last_of array fluid_porosity)" "$(calc '1 - 0.2 * 0.64')" 0.008
 }
 check "grains that are smaller to the fluid" small
+smaller=(--set fluid.grains.hydraulic=0.8)
+check "they fall" eval 'rm -rf one; run_scene 1 drop.yaml one --set threads=1 "${smaller[@]}"'
+check "the same on 2 ranks, to the tolerance" ranks 2 2e-3 "${smaller[@]}"
+check "a resume gives the same bits" eval 'rm -rf other; run_scene 1 drop.yaml other --set threads=1 "${smaller[@]}" --resume one/checkpoint-800.h5 &&
+    cmp <(tail -n 1 one/observables.csv) <(tail -n 1 other/observables.csv)'
+check "a resume on 2 ranks agrees to the tolerance" ranks 2 2e-3 "${smaller[@]}" --resume one/checkpoint-800.h5
 check "lubrication beside them is refused" refused 'fluid.grains.lubrication: .*one of the two' "${near[@]}" --set fluid.grains.hydraulic=0.8
 check "mirrors of them are refused" refused 'fluid.grains.hydraulic: ' --set fluid.grains='{motion: given, coupling: mirror, hydraulic: 0.8}'
 
@@ -227,6 +232,14 @@ turns() {
         'BEGIN { printf "  discs at %.4g, %.4g, water up to %.3g\n", x, y, v; exit !(x > 27 && x < 36 && y > 10 && y < 20 && v > 0.2 && v < 1) }'
 }
 check "a drum of water and discs turns" turns
+# Lubrication at a wall that slides within itself
+oiled() { # RANKS DIR FLAG...
+    run_scene "$1" drum.yaml "$2" --set threads=1 --set fluid.grains.hydraulic=1 "${near[@]}" --set step.count=2400 --set observables.every=1200 --set output.checkpoint='{every: 1200}' \
+        --set 'observables.list=[{name: centre}, {name: fluid_speed}, {name: energy_balance}, {name: energy_kinetic}, {name: energy_rotational}, {name: wall_force, target: drum}]' "${@:3}"
+}
+check "a drum that turns, with lubrication" eval 'rm -rf one; oiled 1 one && awk -v e="$(last_of one energy_rotational)" "BEGIN { exit !(e > 0) }"'
+check "the same on 2 ranks, to the tolerance" eval 'rm -rf other; oiled 2 other && rows_close one other 5e-3'
+check "a resume gives the same bits" eval 'rm -rf other; oiled 1 other --resume one/checkpoint-1200.h5 && cmp <(tail -n 1 one/observables.csv) <(tail -n 1 other/observables.csv)'
 
 check "ten discs fall and rest" env SCREE="$scree" SCREE_ARGS='--set threads=1' sh "$top_srcdir/examples/water_bed/check" "$out/bed"
 finish

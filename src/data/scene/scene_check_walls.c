@@ -182,20 +182,20 @@ static bool check_all_free(const struct scene *scene, struct error *error) {
     return true;
 }
 
-/* A checkpoint keeps numbers of walls that are free, or whose surfaces move, under a word of up to eight letters and the name. */
+/* A checkpoint keeps numbers of walls that are free, beside a fluid, or whose surfaces move, under a word of up to eight letters and the name. */
 static bool check_names(const struct scene *scene, struct error *error) {
     const size_t most = OUTPUT_NAME_MAX - sizeof "surface ";
     for (int w = 0; w < scene->walls; w++) {
         const struct wall_options *wall = &scene->wall[w];
-        bool kept = wall->free.given;
+        bool kept = wall->free.given || scene->physics_given[PHYSICS_fluid];
         char key[80];
         for (int m = 0; m < wall->motions; m++)
             kept = kept || wall->motion[m].surface;
         snprintf(key, sizeof(key), "walls[%d].name", w);
         if (kept && strlen(wall->name) > most)
             return scene_fail(scene, error, key,
-                              "longer than %zu bytes, which those of walls that are free, or whose surfaces "
-                              "move, may have",
+                              "longer than %zu bytes, which those of walls that are free, beside a fluid, "
+                              "or whose surfaces move, may have",
                               most);
     }
     return true;

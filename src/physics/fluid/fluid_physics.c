@@ -76,6 +76,7 @@ static void *create(const struct physics_context *context) {
         fluid_fields_free(context->particles);
         rigid_fields_add(context->particles);
         fluid->rigid = memory_allocate_zero(1, sizeof *fluid->rigid, "fluid");
+        rigid_walls_create(&fluid->rigid->walls, context->scene);
     } else if (grain_free(fluid->options)) {
         fluid_fields_free(context->particles);
     }
@@ -140,6 +141,8 @@ static void print(const struct physics_context *context, FILE *file) {
                 fluid->lattice.stretch);
     if (fluid->gaps)
         narrow_gaps_print(fluid->gaps, context, file);
+    if (fluid->rigid != NULL)
+        rigid_walls_print(&fluid->rigid->walls, context->scene, file);
     if (unresolved_any(fluid->options))
         fprintf(file, "  unresolved   grains up to the radius %.6g: the section drag moves them%s\n",
                 fluid->options->grains.unresolved,
@@ -159,6 +162,8 @@ static void restart(const struct physics_context *context, struct restart *list)
     flow_drive_restart(&fluid->drive, fluid->options, list);
     if (grain_free(fluid->options) || unresolved_averaged(fluid->options))
         restart_add(list, RESTART_SUM, true, &fluid->work, "fluid: work on grains");
+    if (fluid->rigid != NULL)
+        rigid_walls_restart(&fluid->rigid->walls, context->scene, list);
     if (fluid->scalars == NULL)
         return;
     scalars_restart(fluid->scalars, list);

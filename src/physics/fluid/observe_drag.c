@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* The force of the fluid on a wall or a group of grains. Read observe_flow.h and surface_loads.h first. */
+#include "physics/fluid/coupling/rigid_sums.h"
 #include "physics/fluid/lattice/body_surfaces.h"
 #include "physics/fluid/observe_flow.h"
 #include "physics/fluid/fluid_state.h"
@@ -58,6 +59,15 @@ static void add_rigid(const struct observable_context *context, int group, doubl
         }
 }
 
+/* A wall that moves through the fluid: its load, which all ranks know. */
+static void add_through(const struct fluid *fluid, const struct rigid_wall *wall, double *part) {
+    for (int d = 0; d < 3 && fluid->first; d++) {
+        part[d] += wall->load[d];
+        part[3 + d] = part[6 + d] = NAN;
+        part[9 + d] += wall->load[3 + d];
+    }
+}
+
 void observe_drag(const struct observable_context *context, struct observable_item *item, double *part) {
     const struct fluid *fluid = context->view->own[PHYSICS_fluid];
     struct wall_pose pose = {0};
@@ -65,6 +75,10 @@ void observe_drag(const struct observable_context *context, struct observable_it
         return;
     if (fluid->rigid != NULL && item->wall < 0)
         add_rigid(context, item->group, part);
+    if (fluid->rigid != NULL && item->wall >= 0 && fluid->rigid->walls.wall[item->wall].body) {
+        add_through(fluid, &fluid->rigid->walls.wall[item->wall], part);
+        return;
+    }
     if (item->wall >= 0)
         walls_pose(context->view->walls, item->wall, &pose);
     for (size_t row = 0; row < fluid->weights.rows; row++)

@@ -22,7 +22,7 @@ void observe_permeability_finish(const struct output_view *view, const struct ob
                                  double *part);
 
 /* Force of the fluid on a wall or a group, its viscous part, its pressure part, and its torque (of a wall about its
- * centre; of a group the sum of those on its grains about their centres), as of the last look: twelve parts. */
+ * centre; of a group the sum of those on its grains about their centres), as of the last look: twelve parts. Of a wall that moves through the fluid (rigid_walls.h), as of a group in which the flow is rigid, both parts are NAN. */
 void observe_drag(const struct observable_context *context, struct observable_item *item, double *part);
 
 /* Iterations of the last solve for the pressure, or for the steady flow. */

@@ -3,6 +3,7 @@
 #include "physics/fluid/carried/electrolyte_fields.h"
 #include "physics/fluid/carried/scalars.h"
 #include "physics/fluid/carried/scalars_fields.h"
+#include "physics/fluid/coupling/rigid_fields.h"
 #include "physics/fluid/observe_flow.h"
 #include <math.h>
 
@@ -38,8 +39,9 @@ void observe_scalar_mean(const struct observable_context *context, struct observ
         size_t i = fluid->weights.first + row;
         if (!observables_item_counts(context->view, item, i))
             continue;
-        part[0] += fluid->weights.volume[row] * value[i];
-        part[1] += fluid->weights.volume[row];
+        double volume = fluid->weights.volume[row] * rigid_fields_free(context->view->particles, i);
+        part[0] += volume * value[i];
+        part[1] += volume;
     }
 }
 
@@ -80,10 +82,11 @@ void observe_scalar_carried(const struct observable_context *context, struct obs
     const double *value = value_of(context, item);
     for (size_t row = 0; value != NULL && row < fluid->weights.rows; row++) {
         size_t i = fluid->weights.first + row;
-        const double *u = context->view->particles->state[i].v;
+        const double *u = context->view->particles->state[i].v,
+                     volume = fluid->weights.volume[row] * rigid_fields_free(context->view->particles, i);
         for (int d = 0; observables_item_counts(context->view, item, i) && d < 3; d++) {
-            part[d] += fluid->weights.volume[row] * u[d];
-            part[3 + d] += fluid->weights.volume[row] * u[d] * value[i];
+            part[d] += volume * u[d];
+            part[3 + d] += volume * u[d] * value[i];
         }
     }
 }

@@ -26,16 +26,27 @@ static double carry_of(const struct links *links, size_t entry) {
     return links->carry != NULL ? links->carry[entry] : 0;
 }
 
+/* The free part of an entry of a row: the mean of both ends; none where grains fill one of them whole. */
+static double free_of(const struct links *links, size_t row, size_t entry) {
+    const struct weights *weights = links->weights;
+    if (links->filled == NULL)
+        return 1;
+    double own = 1 - links->filled[weights->first + row], other = own;
+    if (entry < weights_walls(weights, row))
+        other = 1 - links->filled[pair_partner(weights->partner[entry])];
+    return own > 0 && other > 0 ? 0.5 * (own + other) : 0;
+}
+
 /* K + a of an entry: its diffusion. */
-static double diffusion_of(const struct links *links, size_t entry) {
-    double k = links->diffusivity * weights_scalar(links->weights, entry);
+static double diffusion_of(const struct links *links, size_t row, size_t entry) {
+    double k = links->diffusivity * weights_scalar(links->weights, entry) * free_of(links, row, entry);
     if (links->share != NULL)
         k *= links->share[entry];
     return links->upwind ? k + fabs(carry_of(links, entry)) : k;
 }
 
-static double link_of(const struct links *links, size_t entry) {
-    return diffusion_of(links, entry) - carry_of(links, entry);
+static double link_of(const struct links *links, size_t row, size_t entry) {
+    return diffusion_of(links, row, entry) - carry_of(links, entry);
 }
 
 void scalar_links_matrix(const struct links *links, double factor, const double *diagonal,
@@ -49,13 +60,13 @@ void scalar_links_matrix(const struct links *links, double factor, const double 
         memset(value + assembly->start[row], 0,
                (size_t)(assembly->start[row + 1] - assembly->start[row]) * sizeof *value);
         for (; e < weights_walls(weights, row); e++) {
-            double k = factor * link_of(links, e);
+            double k = factor * link_of(links, row, e);
             value[assembly->place[e]] -= k;
             sum += k;
         }
         for (size_t w = weights->wall_start[row]; w < weights->wall_start[row + 1]; w++, e++) {
             struct beyond beyond = beyond_of(links, w);
-            double k = factor * link_of(links, e);
+            double k = factor * link_of(links, row, e);
             sum += k * beyond.own;
             if (beyond.image != 0)
                 value[assembly->place[e]] -= k * beyond.image;
@@ -71,7 +82,7 @@ void scalar_links_side(const struct links *links, double factor, double *side) {
         size_t e = weights_walls(weights, row);
         side[row] = 0;
         for (size_t w = weights->wall_start[row]; w < weights->wall_start[row + 1]; w++, e++)
-            side[row] += factor * link_of(links, e) * beyond_of(links, w).constant;
+            side[row] += factor * link_of(links, row, e) * beyond_of(links, w).constant;
     }
 }
 
@@ -89,18 +100,18 @@ void scalar_links_apply(const struct links *links, const double *value, double *
         double own = value[weights->first + row], sum = 0;
         size_t e = weights->start[row];
         for (; e < weights_walls(weights, row); e++)
-            sum += link_of(links, e) * (value[pair_partner(weights->partner[e])] - own);
+            sum += link_of(links, row, e) * (value[pair_partner(weights->partner[e])] - own);
         for (size_t w = weights->wall_start[row]; w < weights->wall_start[row + 1]; w++, e++)
-            sum += link_of(links, e) * step_beyond(links, w, value, own);
+            sum += link_of(links, row, e) * step_beyond(links, w, value, own);
         out[row] = sum;
     }
 }
 
 /* Adds what an entry carries away, F_ij times its way. */
-static void add_flux(const struct links *links, size_t entry, const double values[2], const double way[3],
-                     double flux[3]) {
+static void add_flux(const struct links *links, size_t row, size_t entry, const double values[2],
+                     const double way[3], double flux[3]) {
     double give = 2 * carry_of(links, entry) * 0.5 * (values[0] + values[1]) -
-                  diffusion_of(links, entry) * (values[1] - values[0]);
+                  diffusion_of(links, row, entry) * (values[1] - values[0]);
     for (int d = 0; d < 3; d++)
         flux[d] += give * way[d];
 }
@@ -116,13 +127,14 @@ void scalar_links_flux(const struct links *links, const double *value, double (*
             weights_apart(weights, links->input, row, e, way);
             for (int d = 0; d < 3; d++)
                 way[d] *= 0.5;
-            add_flux(links, e, (double[2]){own, value[pair_partner(weights->partner[e])]}, way, out[row]);
+            add_flux(links, row, e, (double[2]){own, value[pair_partner(weights->partner[e])]}, way,
+                     out[row]);
         }
         for (size_t w = weights->wall_start[row]; w < weights->wall_start[row + 1]; w++, e++) {
             const struct weights_foot *foot = weights_foot_of(weights, w);
             for (int d = 0; d < 3; d++)
                 way[d] = -foot->distance * foot->normal[d];
-            add_flux(links, e, (double[2]){own, own + step_beyond(links, w, value, own)}, way, out[row]);
+            add_flux(links, row, e, (double[2]){own, own + step_beyond(links, w, value, own)}, way, out[row]);
         }
     }
 }

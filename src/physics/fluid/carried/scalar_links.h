@@ -8,6 +8,9 @@
  *
  * With upwind differences K = D w_ij - a_ij + |a_ij|, which is never negative on a lattice.
  *
+ * Where the flow is rigid in grains (solid_field.h) D w_ij is multiplied by the mean of the free parts 1 - Phi of i and j, or by 0 if one of them is 0: nothing diffuses into a particle that grains fill whole, and what is in it
+ * rides along.
+ *
  * A wall neighbour without flux drops out; shares.h has the shares k_ij that make up for it, with w_ij k_ij in place of w_ij. */
 #ifndef SCREE_CARRIED_SCALAR_LINKS_H
 #define SCREE_CARRIED_SCALAR_LINKS_H
@@ -20,8 +23,10 @@ struct links {
     double diffusivity;  /* D */
     const double *carry; /* by entry: a_ij (neighbour_fluxes.h); NULL: none */
     bool upwind;
-    const double *given;               /* by foot: the value there; NAN: none */
-    const double *slope;               /* by foot, where no value is given; NULL: 0 */
+    const double *given; /* by foot: the value there; NAN: none */
+    const double *slope; /* by foot, where no value is given; NULL: 0 */
+    const double
+        *filled; /* by particle number, copies too: the part that grains fill (rigid_fields_solid); NULL: 0 */
     const double *share;               /* by entry: k_ij (shares.h); NULL: 1 */
     const struct weights_input *input; /* of the weights: for scalar_links_flux alone */
 };

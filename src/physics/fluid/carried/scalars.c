@@ -2,6 +2,7 @@
 /* Steps of the scalars that a fluid carries. Read scalars.h first. */
 #include "physics/fluid/carried/scalars.h"
 #include "physics/fluid/coupling/grain_coupling.h"
+#include "physics/fluid/coupling/rigid_fields.h"
 #include "base/memory.h"
 #include "base/timer.h"
 #include "physics/fluid/operators/neighbour_fluxes.h"
@@ -122,6 +123,7 @@ static struct links links_of(const struct fluid *fluid, int k) {
                           .carry = fluid->scalars->fluxes.carry,
                           .upwind = options->advection == FLUID_UPWIND,
                           .given = fluid->scalars->scalar[k].given,
+                          .filled = rigid_fields_solid(fluid->input.particles),
                           .share = fluid->scalars->scalar[k].share,
                           .input = &fluid->input};
 }
@@ -220,6 +222,8 @@ void scalars_step(const struct physics_context *context, bool flows) {
     double dt = grain_dt(context), r = scalars->steps > 0 ? dt / scalars->dt : 0;
     if (!prepare(fluid))
         return;
+    if (fluid->rigid != NULL)
+        rigid_fields_solid_forward(context);
     if (flows || scalars->fluxes.carry == NULL) {
         if (!neighbour_fluxes_make(&scalars->fluxes, fluid->solve, &scalars->assembly, &fluid->flow,
                                    fluid->volume > 0, &fluid->error))
@@ -238,6 +242,8 @@ void scalars_look(const struct physics_context *context) {
     struct fluid *fluid = context->self;
     struct scalars *scalars = fluid->scalars;
     size_t rows = fluid->weights.rows;
+    if (fluid->rigid != NULL)
+        rigid_fields_solid_forward(context);
     for (int k = 0; k < scalars->options->scalars; k++) {
         struct scalar *scalar = &scalars->scalar[k];
         struct links links = links_of(fluid, k);

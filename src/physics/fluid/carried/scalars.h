@@ -9,7 +9,9 @@
  * side without one c does not change along the normal. A given value c_w is mirrored as a velocity is,
  *
  *   c_j - c_i = -(1 + beta) (c_i - c_w),   at an open side whose image m is a particle   c_j - c_i = 2 c_w - c_m - c_i
- */
+ *
+ * Where the flow is rigid in grains (physics/fluid/coupling/rigid_step.h) scalars fill the grains, too, go with them, and do not diffuse there (scalar_links.h): so nothing has to open and close. What grains and fluid hold together is
+ * conserved as it is elsewhere. */
 #ifndef SCREE_CARRIED_SCALARS_H
 #define SCREE_CARRIED_SCALARS_H
 

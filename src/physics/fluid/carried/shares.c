@@ -3,6 +3,7 @@
 #include "physics/fluid/carried/shares.h"
 #include "base/memory.h"
 #include "physics/fluid/lattice/body_surfaces.h"
+#include "physics/fluid/coupling/rigid_sums.h"
 #include "physics/fluid/coupling/unresolved_grains.h"
 #include "physics/fluid/lattice/surface_feet.h"
 #include "physics/fluid/schemes/boundary_values.h"
@@ -39,6 +40,8 @@ static void near_add(const struct build *build, struct near *near, const struct 
 static void grains_add(const struct build *build, size_t i, struct near *near) {
     const struct weights_input *input = &build->fluid->input;
     const struct particles *p = input->particles;
+    if (build->fluid->rigid != NULL) /* grains are part of the fluid, and move */
+        return;
     for (size_t e = input->pairs->start[i]; e < input->pairs->start[i + 1]; e++) {
         size_t j = pair_partner(input->pairs->partner[e]);
         const double *shift = input->shift[pair_image(input->pairs->partner[e])];
@@ -61,6 +64,8 @@ static void walls_add(const struct build *build, size_t i, struct near *near) {
     int walls = grains_walls(context) != NULL ? walls_count(grains_walls(context)) : 0;
     for (int wall = 0; wall < walls; wall++) {
         struct weights_foot foot = {0};
+        if (build->fluid->rigid != NULL && build->fluid->rigid->walls.wall[wall].body)
+            continue;
         if (boundary_values_number(build->surface, build->surfaces, body_of_wall(wall), -1) >= 0)
             continue;
         surface_feet_on(&feet, body_of_wall(wall), context->particles->state[i].x, &foot);

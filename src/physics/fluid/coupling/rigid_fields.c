@@ -41,6 +41,14 @@ double *rigid_fields_solid(const struct particles *particles) {
     return fields_values(particles, &solid);
 }
 
+void rigid_fields_solid_forward(const struct physics_context *context) {
+    struct field_list list = fields_one(fields_handle(context->particles, &solid));
+    if (context->ghosts == NULL)
+        return;
+    ghosts_forward_begin(context->ghosts, context->particles, &list);
+    ghosts_forward_end(context->ghosts, context->particles);
+}
+
 double (*rigid_fields_forcing(const struct particles *particles))[3] {
     return fields_values(particles, &forcing);
 }

@@ -16,6 +16,7 @@
 void rigid_step_pairs(const struct physics_context *context, struct rigid *rigid,
                       const struct pair_rows *pairs) {
     struct kind_span span = kinds_span(context->particles, context->classes, KIND_FLUID);
+    rigid_walls_find(&rigid->walls, context, ((const struct fluid *)context->self)->filled);
     if (rigid->section == NULL)
         rigid->section = rigid_bodies_sections(context);
     solid_pairs_take(&rigid->solid, pairs, kinds_of(context->particles), span.first, span.end);
@@ -29,6 +30,8 @@ static struct solid_places places_of(const struct physics_context *context) {
         .state = context->particles->state,
         .shift = (const double(*)[4])context->list[0]->shift,
         .first = fluid->weights.first,
+        .at_wall = fluid->rigid->walls.part,
+        .at_walls = fluid->rigid->walls.parts,
         .spacing = options->spacing,
         .hydraulic = options->grains.hydraulic,
         .kappa = solid_kappa(options->spacing, options->viscosity / options->density, grain_dt(context)),
@@ -37,6 +40,7 @@ static struct solid_places places_of(const struct physics_context *context) {
 
 static void solid_fill(const struct physics_context *context) {
     const struct fluid *fluid = context->self;
+    rigid_walls_place(&fluid->rigid->walls, context, fluid->weights.first, fluid->weights.rows);
     struct solid_places places = places_of(context);
     solid_field_make(&fluid->rigid->solid, &places, fluid->weights.rows,
                      rigid_fields_solid(context->particles) + fluid->weights.first);
@@ -68,7 +72,7 @@ static void forcing_find(const struct rigid_work *work, double (*v)[3]) {
         double sum[3] = {0}, rigid[3];
         for (size_t k = solid->start[node]; k < solid->start[node + 1]; k++) {
             const struct solid_part *part = &solid->part[k];
-            rigid_grains_velocity(found[part->grain], part->arm, rigid);
+            rigid_grains_velocity(rigid_motion_at(work->rigid, found, part), part->arm, rigid);
             for (int d = 0; d < work->context->box->dimension; d++)
                 sum[d] += part->share * (rigid[d] - v[node][d]);
         }
@@ -186,9 +190,12 @@ static void flow_begin(const struct rigid_work *work) {
     for (size_t node = 0; node < solid->nodes; node++) {
         double *u = flow_velocity_of(work->flow, row_of(solid, node)), sum[3] = {0}, rigid[3];
         for (size_t k = solid->start[node]; k < solid->start[node + 1]; k++) {
-            rigid_grains_velocity(rigid_fields_found(p)[solid->part[k].grain], solid->part[k].arm, rigid);
+            const struct solid_part *part = &solid->part[k];
+            rigid_grains_velocity(
+                rigid_motion_at(work->rigid, (const double(*)[6])rigid_fields_found(p), part), part->arm,
+                rigid);
             for (int d = 0; d < context->box->dimension; d++)
-                sum[d] += solid->part[k].share * (rigid[d] - u[d]);
+                sum[d] += part->share * (rigid[d] - u[d]);
         }
         for (int d = 0; d < 3; d++)
             u[d] += sum[d];
@@ -235,6 +242,7 @@ static struct rigid_work work_make(const struct physics_context *context) {
 
 bool rigid_step(const struct physics_context *context, struct error *error) {
     struct fluid *fluid = context->self;
+    rigid_walls_move(&fluid->rigid->walls, context, fluid->past.steps == 0);
     struct rigid_work work = work_make(context);
     size_t first = work.flow->weights->first, dimension = (size_t)context->box->dimension;
     double(*forcing)[3] = rigid_fields_forcing(context->particles) + first,
@@ -279,6 +287,7 @@ void rigid_step_look(const struct physics_context *context) {
 
 void rigid_step_free(struct rigid *rigid) {
     solid_field_free(&rigid->solid);
+    rigid_walls_free(&rigid->walls);
     anderson_free(&rigid->anderson);
     memory_free(rigid->bare);
     memory_free(rigid->try);

@@ -18,7 +18,7 @@
 #define RIGID_TOLERANCE 1e-3
 enum { RIGID_ITERATIONS = 12 };
 
-/* After a rebuild: takes the pairs of nodes and grains. `pairs` are the rows of all pairs. */
+/* After a rebuild: takes the pairs of nodes and grains; the first time also finds the walls that move through the fluid. `pairs` are the rows of all pairs. */
 void rigid_step_pairs(const struct physics_context *context, struct rigid *rigid,
                       const struct pair_rows *pairs);
 

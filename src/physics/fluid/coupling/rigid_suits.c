@@ -50,6 +50,19 @@ static bool bodies_suit(const struct physics_context *context, struct error *err
     return true;
 }
 
+/* No surface of a grain has a value of its own. */
+static bool scalars_suit_grains(const struct physics_context *context, struct error *error) {
+    const struct fluid_options *options = context->options;
+    for (int k = 0; k < options->scalars; k++)
+        for (int g = 0; g < options->scalar[k].givens; g++) {
+            char key[64];
+            snprintf(key, sizeof key, "fluid.scalars[%d].given[%d].group", k, g);
+            if (options->scalar[k].given[g].at.group >= 0)
+                return refuse(context, key, "a value given at grains", "wall, side", error);
+        }
+    return true;
+}
+
 bool rigid_suits(const struct physics_context *context, struct error *error) {
     const struct fluid_options *options = context->options;
     if (!fluid_rigid(options) && context->scene->physics_given[PHYSICS_hard])
@@ -75,8 +88,6 @@ bool rigid_suits(const struct physics_context *context, struct error *error) {
     if (unresolved_any(options))
         return refuse(context, "fluid.grains.unresolved", "a fluid that leaves grains unresolved",
                       "no such key", error);
-    if (options->scalars > 0)
-        return refuse(context, "fluid.scalars", "a fluid that carries scalars", "none", error);
     if (options->electrolytes > 0)
         return refuse(context, "fluid.electrolyte", "an electrolyte", "none", error);
     if (fluid_slip(options) > 0)
@@ -85,5 +96,5 @@ bool rigid_suits(const struct physics_context *context, struct error *error) {
         return refuse(context, "fluid.fill.arrangement", "this lattice", "cubic", error);
     if (options->fill.jitter > 0)
         return refuse(context, "fluid.fill.jitter", "a displaced lattice", "0", error);
-    return bodies_suit(context, error);
+    return scalars_suit_grains(context, error) && bodies_suit(context, error);
 }

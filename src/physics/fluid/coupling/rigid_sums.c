@@ -28,14 +28,36 @@ static double mass_of(const struct rigid_work *work, const struct solid_part *pa
     return work->fluid->options->density * work->fluid->weights.volume[part->row] * part->share;
 }
 
+/* The sums of walls: with the gain, and with phi, whose parts in a node are in the ratio of those of the gain. */
+static void moments_of_walls(const struct rigid_work *work) {
+    struct rigid *rigid = work->rigid;
+    rigid_walls_clear(&rigid->walls);
+    if (rigid->walls.bodies == 0)
+        return;
+    const double *filled = rigid_fields_solid(work->context->particles) + work->fluid->weights.first;
+    for (size_t k = 0; k < rigid->solid.parts; k++) {
+        const struct solid_part *part = &rigid->solid.part[k];
+        int wall = solid_wall(part->grain);
+        if (wall < 0)
+            continue;
+        double mass = mass_of(work, part), phi = filled[part->row];
+        rigid_grains_add(&rigid->walls.wall[wall].sums, mass, part->arm);
+        rigid_grains_add(&rigid->walls.wall[wall].whole, mass * phi / solid_gain(phi, work->kappa),
+                         part->arm);
+    }
+}
+
 void rigid_sums_moments(const struct rigid_work *work) {
     struct rigid *rigid = work->rigid;
     double(*load)[6] = fluid_load(work->context->particles);
+    moments_of_walls(work);
     for (int round = 0; round < 2; round++) {
         sums_clear(work);
         for (size_t k = 0; k < rigid->solid.parts; k++) {
             const struct solid_part *part = &rigid->solid.part[k];
             struct rigid_grains_sums one = {0};
+            if (solid_wall(part->grain) >= 0)
+                continue;
             rigid_grains_add(&one, mass_of(work, part), part->arm);
             double *to = load[part->grain];
             for (int d = 0; d < 6; d++)
@@ -56,12 +78,16 @@ void rigid_sums_moments(const struct rigid_work *work) {
 
 void rigid_sums_momenta(const struct rigid_work *work, const double (*v)[3]) {
     const struct solid_field *solid = &work->rigid->solid;
+    struct rigid_walls *walls = &work->rigid->walls;
     double(*load)[6] = fluid_load(work->context->particles);
     sums_clear(work);
+    rigid_walls_clear_momenta(walls);
     for (size_t node = 0; node < solid->nodes; node++)
         for (size_t k = solid->start[node]; k < solid->start[node + 1]; k++) {
             const struct solid_part *part = &solid->part[k];
-            double mass = mass_of(work, part), *to = load[part->grain];
+            int wall = solid_wall(part->grain);
+            double mass = mass_of(work, part),
+                   *to = wall >= 0 ? walls->wall[wall].momenta : load[part->grain];
             for (int d = 0; d < 3; d++) {
                 int next = (d + 1) % 3, last = (d + 2) % 3;
                 to[d] += mass * v[node][d];
@@ -185,4 +211,5 @@ void rigid_sums_loads(const struct rigid_work *work) {
     for (size_t i = work->grains.first; i < work->grains.end; i++)
         if (!rigid_bodies_member(work->context->particles, i))
             load_of(work, i);
+    rigid_walls_loads(&work->rigid->walls, work->context, work->dt, work->fluid->drive.force);
 }

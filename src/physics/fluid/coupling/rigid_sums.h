@@ -6,6 +6,7 @@
 
 #include "engine/physics.h"
 #include "physics/fluid/coupling/rigid_grains.h"
+#include "physics/fluid/coupling/rigid_walls.h"
 #include "physics/fluid/coupling/solid_field.h"
 #include "physics/fluid/schemes/anderson.h"
 #include "physics/fluid/schemes/flow.h"
@@ -14,6 +15,7 @@
 /* What a step keeps in memory; all owned. */
 struct rigid {
     struct solid_field solid;
+    struct rigid_walls walls;
     struct anderson anderson;
     size_t rows, parts_room, grains;
     double (*bare)[3];              /* w, by row of the weights */
@@ -35,6 +37,13 @@ struct rigid_work {
     double kappa;
 };
 
+/* The motion of what fills a part of a node: `found` are those of grains. Any thread. */
+static inline const double *rigid_motion_at(const struct rigid *rigid, const double (*found)[6],
+                                            const struct solid_part *part) {
+    int wall = solid_wall(part->grain);
+    return wall >= 0 ? rigid->walls.wall[wall].motion : found[part->grain];
+}
+
 /* m, s and J of all grains: in two rounds, as six numbers of a grain travel at once. Collective. */
 void rigid_sums_moments(const struct rigid_work *work);
 
@@ -44,7 +53,7 @@ void rigid_sums_momenta(const struct rigid_work *work, const double (*v)[3]);
 /* The motions of all grains that go with these momenta, copies too: in the field rigid_fields_found. Collective. */
 void rigid_sums_motions(const struct rigid_work *work);
 
-/* The loads: what the fluid loses, and what the fluid in the grain takes to follow; the motions found become those of the grains. The momenta of v are in the field of loads. */
+/* The loads of grains and walls: what the fluid loses, and what the fluid in the grain takes to follow; the motions found become those of the grains. The momenta of v are in the field of loads. Collective. */
 void rigid_sums_loads(const struct rigid_work *work);
 
 #endif

@@ -71,10 +71,10 @@ static struct solid_part part_of(const struct solid_places *places, const struct
     return part;
 }
 
-static void room(struct solid_field *solid) {
-    if (solid->pairs <= solid->part_room && solid->start != NULL)
+static void room(struct solid_field *solid, size_t most) {
+    if (most <= solid->part_room && solid->start != NULL)
         return;
-    solid->part_room = solid->pairs;
+    solid->part_room = most;
     solid->part = memory_resize(solid->part, solid->part_room, sizeof *solid->part, "grains in a fluid");
     solid->start =
         memory_resize(solid->start, solid->part_room + 1, sizeof *solid->start, "grains in a fluid");
@@ -88,8 +88,10 @@ static bool same(const struct solid_part *a, const struct solid_part *b, double 
     return near;
 }
 
-/* Adds a part to its row, which is the last one; another one of the same body, through another member, may be there. */
+/* Adds a part to its row, which is the last one or a new one; another one of the same body, through another member, may be there. */
 static void part_add(struct solid_field *solid, const struct solid_part *part, double spacing) {
+    if (solid->parts == 0 || solid->part[solid->parts - 1].row != part->row)
+        solid->start[solid->nodes++] = solid->parts;
     for (size_t k = solid->start[solid->nodes - 1]; k < solid->parts; k++)
         if (same(&solid->part[k], part, spacing)) {
             solid->part[k].share = fmax(solid->part[k].share, part->share);
@@ -98,19 +100,26 @@ static void part_add(struct solid_field *solid, const struct solid_part *part, d
     solid->part[solid->parts++] = *part;
 }
 
-void solid_field_make(struct solid_field *solid, const struct solid_places *places, size_t rows,
-                      double *filled) {
-    room(solid);
-    memset(filled, 0, rows * sizeof *filled);
-    solid->parts = solid->nodes = 0;
+/* All parts with their phi, by row: those of grains, and in a row behind them those of walls. */
+static void parts_take(struct solid_field *solid, const struct solid_places *places) {
+    size_t wall = 0;
     for (size_t k = 0; k < solid->pairs; k++) {
         struct solid_part part = part_of(places, &solid->pair[k]);
-        if (part.share == 0)
-            continue;
-        if (solid->parts == 0 || solid->part[solid->parts - 1].row != part.row)
-            solid->start[solid->nodes++] = solid->parts;
-        part_add(solid, &part, places->spacing);
+        for (; wall < places->at_walls && places->at_wall[wall].row < part.row; wall++)
+            part_add(solid, &places->at_wall[wall], places->spacing);
+        if (part.share > 0)
+            part_add(solid, &part, places->spacing);
     }
+    for (; wall < places->at_walls; wall++)
+        part_add(solid, &places->at_wall[wall], places->spacing);
+}
+
+void solid_field_make(struct solid_field *solid, const struct solid_places *places, size_t rows,
+                      double *filled) {
+    room(solid, solid->pairs + places->at_walls);
+    memset(filled, 0, rows * sizeof *filled);
+    solid->parts = solid->nodes = 0;
+    parts_take(solid, places);
     for (size_t k = 0; k < solid->parts; k++)
         filled[solid->part[k].row] += solid->part[k].share;
     solid->start[solid->nodes] = solid->parts;

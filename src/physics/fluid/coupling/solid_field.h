@@ -4,13 +4,14 @@
  *
  *   phi_i = (1 - sin(pi s / 2)) / 2,   s = d / (SOLID_EDGE spacing), cut to -1 ... 1;   Phi = min(1, sum of phi_i)
  *
- * is the field `solid`. The flow is made rigid by the gain g = Phi / (Phi + kappa (1 - Phi)), which the grains share by their phi: 1 inside, in the edge a
+ * is the field `solid`; walls that move through the fluid are among the grains (rigid_walls.h). The flow is made rigid by the gain g = Phi / (Phi + kappa (1 - Phi)), which the grains share by their phi: 1 inside, in the edge a
  * drag of Darcy with the time kappa dt (1 - Phi) / Phi. So kappa = SOLID_DARCY spacing^2 / (nu dt), at most SOLID_KAPPA_MOST, makes drag independent of the step. */
 #ifndef SCREE_COUPLING_SOLID_FIELD_H
 #define SCREE_COUPLING_SOLID_FIELD_H
 
 #include "engine/physics.h"
 #include "kernel/pairs/interaction.h"
+#include "physics/grains/walls/wall_options.h"
 
 #define SOLID_EDGE 1.0
 #define SOLID_DARCY 0.1
@@ -19,10 +20,18 @@
 /* A node in the reach of a grain. */
 struct solid_part {
     uint32_t row;   /* of the weights */
-    uint32_t grain; /* number of the grain, or of the body, owned or a copy */
+    uint32_t grain; /* number of the grain, or of the body, owned or a copy; solid_of_wall of a wall */
     double arm[3];  /* from its centre, or the centre of its image, to the node */
     double share;   /* phi_i, then the grain's share of g */
 };
+
+/* The number that stands for a wall among those of grains, and back: -1 of a grain. */
+static inline uint32_t solid_of_wall(int wall) {
+    return UINT32_MAX - (uint32_t)wall;
+}
+static inline int solid_wall(uint32_t grain) {
+    return grain > UINT32_MAX - WALLS_MAX ? (int)(UINT32_MAX - grain) : -1;
+}
 
 /* A pair that may be one until the next rebuild. */
 struct solid_pair {
@@ -60,6 +69,8 @@ struct solid_places {
     const struct particle_state *state;   /* by particle number, owned and copies */
     const double (*shift)[4];             /* of image codes */
     size_t first;                         /* the particle of row 0 */
+    const struct solid_part *at_wall;     /* by row: parts of walls, their share being phi */
+    size_t at_walls;
     double spacing, kappa, hydraulic;
     int dimension;
 };

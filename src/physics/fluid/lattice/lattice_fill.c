@@ -6,6 +6,7 @@
 #include "physics/fluid/lattice/body_surfaces.h"
 #include "physics/fluid/coupling/grain_coupling.h"
 #include "physics/fluid/coupling/rigid_suits.h"
+#include "physics/fluid/coupling/rigid_walls.h"
 #include "physics/fluid/carried/electrolyte.h"
 #include "physics/fluid/fluid_fields.h"
 #include "physics/fluid/lattice/lattice_fill_parts.h"
@@ -201,8 +202,8 @@ static bool walls_suit(const struct physics_context *context, struct error *erro
         if (wall->free.given)
             return scene_fail(
                 context->scene, error, key,
-                "wall '%s' is free, which no wall beside `fluid` may be: the fluid does not follow it; "
-                "allowed: walls at rest, and surfaces that move",
+                "wall '%s' is free, which no wall beside `fluid` may be: the fluid does not push it; "
+                "allowed: walls at rest or with a given motion, and bodies (`bodies`) that the fluid moves",
                 wall->name);
         snprintf(key, sizeof key, "walls[%d].file", w);
         if (open > 0)
@@ -211,12 +212,15 @@ static bool walls_suit(const struct physics_context *context, struct error *erro
                 "wall '%s' has %zu edges that are not shared by two triangles of one orientation; beside "
                 "`fluid` a mesh must be closed, with normals that point to the fluid",
                 wall->name, open);
-        if (wall_shape_meshed(wall->shape) && context->box->dimension == 2)
+        if (wall_shape_meshed(wall->shape) && context->box->dimension == 2 &&
+            !rigid_walls_through(context, wall))
             return scene_fail(
                 context->scene, error, key,
                 "wall '%s' is a mesh, which cannot bound a fluid of two dimensions; take planes and "
-                "cylinders",
+                "cylinders, or fluid.grains: {coupling: rigid}",
                 wall->name);
+        if (!rigid_walls_suit(context, w, error))
+            return false;
     }
     return true;
 }

@@ -41,7 +41,7 @@ struct nodes {
     struct nodes_grain *grain; /* by x */
 };
 
-/* Lays the nodes and finds what each is: fluid in the region, solid in grains and behind walls, else void. Meshes and
+/* Lays the nodes and finds what each is: fluid in the region, solid in grains and behind walls that bound the fluid, else void. Meshes and
  * open sides are left to surface_marks.h.
  * Fails (user) where the scene makes no sense. Collective; a node is the same on all ranks that hold it. */
 bool nodes_make(struct nodes *nodes, const struct physics_context *context, struct error *error);

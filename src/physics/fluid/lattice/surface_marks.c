@@ -3,6 +3,7 @@
 #include "physics/fluid/lattice/lattice_fill_parts.h"
 #include "physics/grains/grains.h"
 #include "base/memory.h"
+#include "physics/fluid/coupling/rigid_walls.h"
 #include "physics/fluid/lattice/body_surfaces.h"
 #include <math.h>
 
@@ -76,7 +77,7 @@ static void side_mark(struct nodes *nodes, int side) {
 void surface_marks_make(struct nodes *nodes, const struct physics_context *context) {
     const struct fluid_options *options = context->options;
     for (int w = 0; w < context->scene->walls; w++)
-        if (wall_shape_meshed(context->scene->wall[w].shape) && !context->scene->wall[w].permeable)
+        if (wall_shape_meshed(context->scene->wall[w].shape) && rigid_walls_bounds(context, &context->scene->wall[w]))
             mesh_mark(nodes, grains_walls(context), w);
     for (int k = 0; k < options->opens; k++)
         side_mark(nodes, options->open[k].side);

@@ -273,7 +273,9 @@ static void walls_check(const struct physics_context *context, struct fluid *flu
         error_set(
             &fluid->error, ERROR_USER,
             "fluid: a wall moves towards the fluid or away from it; allowed are walls that slide within "
-            "themselves, as a lid does");
+            "themselves, as a lid does, and with fluid.grains: {coupling: rigid} from the start closed "
+            "meshes, and cylinders "
+            "with particles outside");
 }
 
 /* Walls that slide within themselves have new velocities and spins. */

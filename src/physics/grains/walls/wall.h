@@ -137,6 +137,17 @@ void walls_foot(const struct walls *walls, int wall, const double x[3], double r
 /* Lets fields reach at least so far from their surfaces. Opens its own team; no other thread may look. */
 void walls_cover(struct walls *walls, double reach);
 
+/* For a wall whose solid is bounded (walls_bounded): makes walls_depth ready up to `reach`. A mesh takes memory: a byte for each cube of 0.9 of this edge in
+ * the box around it. Opens its own team. */
+void walls_depth_prepare(struct walls *walls, int wall, double reach);
+
+/* The signed distance of x (box-relative) from the solid of such a wall, negative inside, cut to -reach ... reach; `arm` is the vector from the wall's
+ * centre (struct wall_pose) to x, in the image of the wall that is nearest or holds x. Any thread. */
+double walls_depth(const struct walls *walls, int wall, const double x[3], double arm[3]);
+
+/* True if the solid of a wall has an end in each direction, but for the axis of a cylinder: a closed mesh whose normals point out of it, or a cylinder with particles outside. One thread. */
+bool walls_bounded(const struct walls *walls, int wall);
+
 /* The edges of a mesh that are not shared by two triangles of one orientation: 0 of a closed surface, and of
  * other shapes. Any thread. */
 size_t walls_open_edges(const struct walls *walls, int wall);

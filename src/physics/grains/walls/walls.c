@@ -185,6 +185,7 @@ void walls_destroy(struct walls **walls) {
         wall_mesh_destroy(&w->wall[k].mesh);
         wall_grid_destroy(&w->wall[k].grid);
         wall_field_destroy(&w->wall[k].field);
+        wall_bulk_destroy(&w->wall[k].bulk);
         wall_motions_destroy(&w->wall[k].motions);
         wall_free_destroy(&w->wall[k].free);
     }

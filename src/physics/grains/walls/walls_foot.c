@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* The point of a solid wall nearest to a place, for other physics than contacts. Read wall.h first. */
 #include "base/memory.h"
+#include "physics/grains/walls/walls_foot.h"
 #include "physics/grains/walls/walls_touch.h"
 #include <math.h>
 #include <stdlib.h>
@@ -143,6 +144,15 @@ void walls_cover(struct walls *walls, double reach) {
     for (int w = 0; w < walls->count; w++)
         if (walls->wall[w].field)
             wall_field_cover(walls->wall[w].field, reach);
+}
+
+double walls_mesh_distance(const struct wall *wall, struct law_vector x, double reach) {
+    return mesh_surface(wall, x, reach).distance;
+}
+
+double walls_cylinder_distance(const struct walls *walls, const struct wall *wall, struct law_vector here) {
+    struct wall_cylinder cylinder = walls_cylinder(wall);
+    return cylinder_surface(&cylinder, walls->box.dimension == 2, here).distance;
 }
 
 void walls_foot(const struct walls *walls, int wall, const double x[3], double reach,

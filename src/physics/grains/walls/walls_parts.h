@@ -18,6 +18,7 @@
 
 #include "physics/grains/batch/force_kernel.h"
 #include "physics/grains/walls/wall.h"
+#include "physics/grains/walls/wall_bulk.h"
 #include "physics/grains/walls/wall_field.h"
 #include "physics/grains/walls/wall_free.h"
 #include "physics/grains/walls/wall_grid.h"
@@ -33,6 +34,7 @@ struct wall {
     struct wall_mesh *mesh; /* MESH */
     struct wall_grid *grid;
     struct wall_field *field; /* NULL: the mesh is felt by its triangles */
+    struct wall_bulk *bulk;   /* NULL: nobody asked for depths (walls_depth) */
     struct wall_motions *motions;
     struct wall_free *free;   /* NULL: the wall is not free */
     struct law_vector centre; /* at rest, see struct wall_pose */

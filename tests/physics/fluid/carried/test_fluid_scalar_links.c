@@ -133,5 +133,43 @@ static void upwind_links_are_not_negative(void **state) {
     room_free(&r);
 }
 
+/* Where grains fill particles whole nothing diffuses into them or out of them; half filled ones have half of the links; the sum stays. */
+static void nothing_diffuses_into_grains(void **state) {
+    struct room r;
+    double sum = 0, size = 0, half = 0;
+    (void)state;
+    room_make(&r);
+    double *filled = memory_allocate_zero(r.cloud.particles->owned, sizeof *filled, "test");
+    struct links links = {.weights = &r.weights, .diffusivity = diffusivity, .given = r.given};
+    for (size_t k = 0; k < r.feet; k++)
+        r.given[k] = NAN;
+    for (size_t i = 0; i < r.fluid; i++)
+        r.value[i] = sin(7.0 * (double)i);
+    scalar_links_apply(&links, r.value, r.out);
+    for (size_t i = 0; i < r.fluid; i++) {
+        half += fabs(r.out[i]);
+        filled[i] = 0.5;
+    }
+    links.filled = filled;
+    scalar_links_apply(&links, r.value, r.out);
+    for (size_t i = 0; i < r.fluid; i++) {
+        half -= 2 * fabs(r.out[i]);
+        filled[i] = i % 3 == 0 ? 1 : 0.3;
+    }
+    assert_near(half, 0, 1e-6);
+    scalar_links_apply(&links, r.value, r.out);
+    for (size_t i = 0; i < r.fluid; i++) {
+        if (i % 3 == 0)
+            assert_near(r.out[i], 0, 0);
+        sum += r.out[i];
+        size += fabs(r.out[i]);
+    }
+    assert_true(size > 100);
+    assert_near(sum / size, 0, 1e-12);
+    memory_free(filled);
+    room_free(&r);
+}
+
 TEST_MAIN(fluid_scalar_links, cmocka_unit_test(a_linear_scalar_has_its_flux),
-          cmocka_unit_test(closed_walls_let_nothing_through), cmocka_unit_test(upwind_links_are_not_negative))
+          cmocka_unit_test(closed_walls_let_nothing_through), cmocka_unit_test(upwind_links_are_not_negative),
+          cmocka_unit_test(nothing_diffuses_into_grains))

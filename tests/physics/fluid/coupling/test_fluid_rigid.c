@@ -119,5 +119,48 @@ static void grains_share_a_node(void **state) {
     solid_field_free(&solid);
 }
 
+/* Parts of walls come among those of grains, by row: nodes 1 and 2 are a grain's, 0, 1 and 3 a wall's. */
+static void grains_and_walls_share_nodes(void **state) {
+    struct particle_state places[5] = {
+        {.x = {0, 0}}, {.x = {0.5, 0}}, {.x = {0.6, 0}}, {.x = {2, 0}}, {.x = {0.55, 0}, .radius = 0.2}};
+    const uint8_t kind[5] = {KIND_FLUID, KIND_FLUID, KIND_FLUID, KIND_FLUID, KIND_GRAIN};
+    const double none[1][4] = {{0}};
+    uint32_t partner[2] = {4, 4};
+    size_t start[5] = {0, 0, 1, 2, 2};
+    const struct solid_part wall[3] = {{.row = 0, .grain = solid_of_wall(7), .share = 0.25},
+                                       {.row = 1, .grain = solid_of_wall(7), .share = 1},
+                                       {.row = 3, .grain = solid_of_wall(0), .share = 0.5}};
+    struct pair_rows rows = {0};
+    struct solid_field solid = {0};
+    double filled[4];
+    (void)state;
+    pair_rows_of(&rows, start, partner);
+    solid_pairs_take(&solid, &rows, kind, 0, 4);
+    const struct solid_places at = {.state = places,
+                                    .shift = none,
+                                    .at_wall = wall,
+                                    .at_walls = 3,
+                                    .spacing = 0.1,
+                                    .kappa = 1,
+                                    .hydraulic = 1,
+                                    .dimension = 2};
+    solid_field_make(&solid, &at, 4, filled);
+    assert_int_equal(solid.nodes, 4);
+    assert_int_equal(solid.parts, 5);
+    assert_near(filled[0], 0.25, 1e-15);
+    assert_near(filled[1], 1, 1e-15);
+    assert_near(filled[2], 1, 1e-15);
+    assert_near(filled[3], 0.5, 1e-15);
+    for (size_t node = 0; node < 4; node++)
+        assert_int_equal(solid.part[solid.start[node]].row, node);
+    assert_int_equal(solid.start[2] - solid.start[1], 2);
+    assert_near(solid.part[solid.start[1]].share + solid.part[solid.start[1] + 1].share, 1, 1e-15);
+    assert_int_equal(solid_wall(solid.part[solid.start[3]].grain), 0);
+    assert_int_equal(solid_wall(solid.part[solid.start[0]].grain), 7);
+    assert_int_equal(solid_wall(4), -1);
+    solid_field_free(&solid);
+}
+
 TEST_MAIN(fluid_rigid, cmocka_unit_test(the_edge_and_the_gain), cmocka_unit_test(the_integrals_of_the_gain),
-          cmocka_unit_test(a_rigid_motion_stays), cmocka_unit_test(grains_share_a_node))
+          cmocka_unit_test(a_rigid_motion_stays), cmocka_unit_test(grains_share_a_node),
+          cmocka_unit_test(grains_and_walls_share_nodes))
