@@ -9,9 +9,11 @@
 /* Events of one rebuild. */
 enum cost_term {
     COST_PARTICLE,
+    COST_CELL,
     COST_MIXED,
     COST_WINDOW,
     COST_VECTOR,
+    COST_LONG,
     COST_VISIT,
     COST_RUN,
     COST_ROUND,

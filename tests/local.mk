@@ -14,13 +14,13 @@ check_PROGRAMS += \
 	%D%/data/scene/test_scene_large %D%/data/scene/test_schema %D%/data/scene/test_sizes \
 	%D%/data/scene/test_source %D%/data/scene/test_tree %D%/data/scene/test_units %D%/engine/test_plan \
 	%D%/front/library/test_library %D%/front/pack/test_pack %D%/front/pack/test_pack_draw \
-	%D%/front/view/test_board %D%/index/test_auto %D%/index/test_index %D%/index/test_levels \
-	%D%/index/test_stay %D%/index/test_stencil %D%/index/test_wanted %D%/kernel/pairs/test_history \
-	%D%/kernel/pairs/test_interaction %D%/kernel/pairs/test_pairlist %D%/kernel/pairs/test_skin \
-	%D%/kernel/pairs/test_skin_choice %D%/kernel/pairs/test_sweep %D%/kernel/particles/test_classes \
-	%D%/kernel/particles/test_particles %D%/mpi/test_balance %D%/mpi/test_checkpoint \
-	%D%/mpi/test_checkpoint_damage %D%/mpi/test_comm %D%/mpi/test_copies %D%/mpi/test_domain \
-	%D%/mpi/test_dump %D%/mpi/test_exchange %D%/mpi/test_fluid_coupled_solve \
+	%D%/front/view/test_board %D%/index/test_auto %D%/index/test_events %D%/index/test_index \
+	%D%/index/test_levels %D%/index/test_stay %D%/index/test_stencil %D%/index/test_wanted \
+	%D%/kernel/pairs/test_history %D%/kernel/pairs/test_interaction %D%/kernel/pairs/test_pairlist \
+	%D%/kernel/pairs/test_skin %D%/kernel/pairs/test_skin_choice %D%/kernel/pairs/test_sweep \
+	%D%/kernel/particles/test_classes %D%/kernel/particles/test_particles %D%/mpi/test_balance \
+	%D%/mpi/test_checkpoint %D%/mpi/test_checkpoint_damage %D%/mpi/test_comm %D%/mpi/test_copies \
+	%D%/mpi/test_domain %D%/mpi/test_dump %D%/mpi/test_exchange %D%/mpi/test_fluid_coupled_solve \
 	%D%/mpi/test_fluid_electrolyte %D%/mpi/test_fluid_matrices %D%/mpi/test_fluid_moving_step \
 	%D%/mpi/test_fluid_nodes %D%/mpi/test_fluid_passes %D%/mpi/test_fluid_rigid_bodies \
 	%D%/mpi/test_fluid_rigid_motion %D%/mpi/test_fluid_rigid_step %D%/mpi/test_fluid_rigid_walls \
@@ -60,17 +60,18 @@ check_PROGRAMS += \
 	%D%/physics/hard/test_newton %D%/physics/hard/test_pull %D%/physics/hard/test_resist
 check_LTLIBRARIES += libtests.la
 libtests_la_SOURCES = \
-	%D%/index/bench_fit.c %D%/index/bench_scene.c %D%/index/index_cloud.c %D%/mpi/cloud.c %D%/mpi/fixture.c \
-	%D%/mpi/fluid_run.c %D%/mpi/folder.c %D%/mpi/lattice_matrix.c %D%/mpi/team.c %D%/physics/fluid/fluid_cloud.c \
-	%D%/fields_by_hand.h %D%/index/bench_fit.h %D%/index/bench_scene.h %D%/index/index_cloud.h \
-	%D%/kernel/pairs/cloud_by_hand.h %D%/mpi/cloud.h %D%/mpi/fixture.h %D%/mpi/fluid_run.h %D%/mpi/folder.h \
-	%D%/mpi/lattice_matrix.h %D%/mpi/observed.h %D%/mpi/state.h %D%/mpi/team.h %D%/mpi/trajectory.h %D%/near.h \
-	%D%/own_law.h %D%/particles_by_hand.h %D%/physics/bodies/shapes/solid_by_hand.h \
-	%D%/physics/fluid/fluid_cloud.h %D%/physics/grains/forces_by_hand.h \
-	%D%/physics/grains/laws/law_parts_by_hand.h %D%/physics/grains/laws/laws_by_hand.h \
-	%D%/physics/grains/pairs_by_hand.h %D%/physics/grains/walls/mesh_by_hand.h \
-	%D%/physics/grains/walls/surface_by_hand.h %D%/physics/grains/walls/walls_by_hand.h %D%/scene_by_hand.h \
-	%D%/test.h
+	%D%/index/bench_events.c %D%/index/bench_fit.c %D%/index/bench_scene.c %D%/index/index_cloud.c \
+	%D%/mpi/cloud.c %D%/mpi/fixture.c %D%/mpi/fluid_run.c %D%/mpi/folder.c %D%/mpi/lattice_matrix.c \
+	%D%/mpi/team.c %D%/physics/fluid/fluid_cloud.c %D%/fields_by_hand.h %D%/index/bench_events.h \
+	%D%/index/bench_fit.h %D%/index/bench_scene.h %D%/index/index_cloud.h \
+	%D%/kernel/pairs/cloud_by_hand.h %D%/mpi/cloud.h %D%/mpi/fixture.h %D%/mpi/fluid_run.h \
+	%D%/mpi/folder.h %D%/mpi/lattice_matrix.h %D%/mpi/observed.h %D%/mpi/state.h %D%/mpi/team.h \
+	%D%/mpi/trajectory.h %D%/near.h %D%/own_law.h %D%/particles_by_hand.h \
+	%D%/physics/bodies/shapes/solid_by_hand.h %D%/physics/fluid/fluid_cloud.h \
+	%D%/physics/grains/forces_by_hand.h %D%/physics/grains/laws/law_parts_by_hand.h \
+	%D%/physics/grains/laws/laws_by_hand.h %D%/physics/grains/pairs_by_hand.h \
+	%D%/physics/grains/walls/mesh_by_hand.h %D%/physics/grains/walls/surface_by_hand.h \
+	%D%/physics/grains/walls/walls_by_hand.h %D%/scene_by_hand.h %D%/test.h
 EXTRA_DIST += \
 	%D%/examples_sanitized.sh %D%/granular/base.yaml %D%/granular/dmt.dump.gz %D%/granular/granular.data \
 	%D%/granular/hertz.dump.gz %D%/granular/in.granular %D%/granular/in.sheared %D%/granular/in.wall \

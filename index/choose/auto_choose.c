@@ -7,16 +7,13 @@
 
 enum { LEVELS_TRIED = 8, LEVELS_PATIENCE = 2, ROUNDS = 4 };
 
-/* Cell edges tried, as multiples of the cut-off of a level. For the level with most particles the model is
- * nearly flat from 1 to 2, but the measured time is not: larger factors serve the other levels, and this
- * level if nearly all cells of the cut-off would be empty. */
+/* Cell edges tried, as multiples of the cut-off of a level. */
 static const double factors[] = {0.5, 0.7, 1.0, 1.4, 2.0, 2.8, 4.0, 8.0, 16.0};
-enum { FACTORS = sizeof factors / sizeof factors[0], FACTORS_CROWDED = 4 };
+enum { FACTORS = sizeof factors / sizeof factors[0] };
 
 /* Least gain, as part of the cost, for which a level is added or a cut or an edge is changed. */
 static const double gain_least = 0.005;
 
-static const double occupancy_dilute = 0.1;
 static const double gap_ratio = 1.5, gap_price = 1.1;
 
 void auto_bins(struct cost_scene *scene, const double *radii, size_t n, double weight) {
@@ -35,56 +32,53 @@ void auto_bins(struct cost_scene *scene, const double *radii, size_t n, double w
     }
 }
 
-/* The level with most particles, among the levels whose particles meet each other; -1: there is none. */
-static int crowded(const struct cost_scene *scene, const struct cost_plan *plan) {
-    int best = -1;
-    double most = 0;
-    for (int g = 0, bin = 0; g < plan->levels; g++) {
-        double count = 0;
-        for (; bin <= plan->last[g]; bin++) {
-            count += scene->count[bin];
+/* Gives a level the cells that cost least, all others kept, if these cost less than `best` seconds. True if so. */
+static bool tune_level(struct cost_sheet *sheet, int g, double *best) {
+    const struct cost_level *level = &sheet->level[g];
+    const double cutoff = cost_level_cutoff(level), before = level->edge;
+    double kept = before;
+    for (int f = 0; f < FACTORS && cutoff > 0; f++) {
+        cost_sheet_edge(sheet, g, factors[f] * cutoff);
+        double cost = cost_sheet_seconds(sheet);
+        if (cost < *best * (1 - gain_least)) {
+            *best = cost;
+            kept = level->edge;
         }
-        if (count > most && cost_meets_itself(scene, plan, g)) {
-            best = g;
-            most = count;
+    }
+    cost_sheet_edge(sheet, g, kept);
+    return kept != before;
+}
+
+/* Tunes the cells of all levels, from the present ones on; returns the cost, seconds. */
+static double tune(struct cost_sheet *sheet) {
+    double best = cost_sheet_seconds(sheet);
+    bool better = true;
+    for (int round = 0; round < ROUNDS && better; round++) {
+        better = false;
+        for (int g = 0; g < sheet->levels; g++) {
+            better = tune_level(sheet, g, &best) || better;
         }
     }
     return best;
 }
 
-double auto_edges(const struct cost_scene *scene, struct cost_plan *plan) {
-    double cutoff[INDEX_CLASS_MAX];
-    int most = crowded(scene, plan), limit = FACTORS;
+/* The sheet of a plan with cells of the cut-offs. */
+static void sheet_at_cutoffs(struct cost_sheet *sheet, const struct cost_scene *scene,
+                             const struct cost_plan *plan) {
+    struct cost_plan start = *plan;
     for (int g = 0; g < plan->levels; g++) {
-        cutoff[g] = plan->edge[g] = cost_cutoff(scene, plan, g);
-        plan->edge[g] = cutoff[g] = cutoff[g] > 0 ? cutoff[g] : 1;
+        const double cutoff = cost_cutoff(scene, plan, g);
+        start.edge[g] = cutoff > 0 ? cutoff : 1;
     }
-    double particles = 0;
-    for (int bin = 0; bin < scene->bins; bin++) {
-        particles += scene->count[bin];
-    }
-    if (most >= 0 && particles * pow(cutoff[most], scene->dimension) > occupancy_dilute * scene->volume) {
-        limit = FACTORS_CROWDED;
-    }
-    double best = cost_seconds(scene, plan);
-    bool better = true;
-    for (int round = 0; round < ROUNDS && better; round++) {
-        better = false;
-        for (int g = 0; g < plan->levels; g++) {
-            double kept = plan->edge[g];
-            for (int f = 0; f < (g == most ? limit : FACTORS); f++) {
-                plan->edge[g] = factors[f] * cutoff[g];
-                double cost = cost_seconds(scene, plan);
-                if (cost < best * (1 - gain_least)) {
-                    best = cost;
-                    kept = plan->edge[g];
-                    better = true;
-                }
-            }
-            plan->edge[g] = kept;
-        }
-    }
-    return best;
+    cost_sheet_make(sheet, scene, &start);
+}
+
+double auto_edges(const struct cost_scene *scene, struct cost_plan *plan) {
+    struct cost_sheet sheet;
+    sheet_at_cutoffs(&sheet, scene, plan);
+    const double cost = tune(&sheet);
+    cost_sheet_plan(&sheet, plan);
+    return cost;
 }
 
 /* Levels of equal occupancy whose top bins end where a level of occupancy m does; returns their number. */
@@ -199,27 +193,40 @@ void auto_levels(const struct cost_scene *scene, int most, struct cost_plan *pla
     cut_gaps(scene, most, plan);
 }
 
+/* Joins the two neighbouring levels whose common level costs least, its own cells tuned and all others kept. False
+ * if each pair costs more than *best together; else *best becomes the cost. */
+static bool join_best(struct cost_sheet *sheet, double *best) {
+    struct cost_sheet trial;
+    double edge = 0;
+    int joined = -1;
+    for (int g = 0; g + 1 < sheet->levels; g++) {
+        trial = *sheet;
+        cost_sheet_join(&trial, g);
+        double cost = cost_sheet_seconds(&trial);
+        tune_level(&trial, g, &cost);
+        if (cost < *best * (1 - gain_least)) {
+            *best = cost;
+            joined = g;
+            edge = trial.level[g].edge;
+        }
+    }
+    if (joined >= 0) {
+        cost_sheet_join(sheet, joined);
+        cost_sheet_edge(sheet, joined, edge);
+    }
+    return joined >= 0;
+}
+
 void auto_group(const struct cost_scene *scene, struct cost_plan *plan) {
+    struct cost_sheet sheet;
     *plan = (struct cost_plan){.levels = scene->bins};
     for (int c = 0; c < scene->bins; c++) {
         plan->last[c] = c;
     }
-    double best = auto_edges(scene, plan);
-    for (bool better = true; better && plan->levels > 1;) {
-        struct cost_plan kept = *plan;
-        better = false;
-        for (int cut = 0; cut + 1 < plan->levels; cut++) {
-            struct cost_plan trial = {.levels = plan->levels - 1};
-            for (int g = 0; g < trial.levels; g++) {
-                trial.last[g] = plan->last[g < cut ? g : g + 1];
-            }
-            double cost = auto_edges(scene, &trial);
-            if (cost < best * (1 - gain_least)) {
-                best = cost;
-                kept = trial;
-                better = true;
-            }
-        }
-        *plan = kept;
+    sheet_at_cutoffs(&sheet, scene, plan);
+    double best = tune(&sheet);
+    while (join_best(&sheet, &best)) {
+        best = tune(&sheet);
     }
+    cost_sheet_plan(&sheet, plan);
 }

@@ -7,84 +7,88 @@
 
 #include <math.h>
 #include <stdio.h>
+#include <string.h>
 
 /* Visits that a row costs for handing out the pairs that larger rows found. */
 static const double HANDED_OUT = 0.5;
 
 static const char *const names[COST_TERMS] = {
-    [COST_PARTICLE] = "particles", [COST_MIXED] = "mixed",   [COST_WINDOW] = "windows",
-    [COST_VECTOR] = "vectors",     [COST_VISIT] = "visits",  [COST_RUN] = "runs",
-    [COST_ROUND] = "round",        [COST_SPARSE] = "sparse", [COST_TEST] = "tests",
-    [COST_SINGLE] = "singles",
+    [COST_PARTICLE] = "particles", [COST_CELL] = "cells",     [COST_MIXED] = "mixed",
+    [COST_WINDOW] = "windows",     [COST_VECTOR] = "vectors", [COST_LONG] = "long",
+    [COST_VISIT] = "visits",       [COST_RUN] = "runs",       [COST_ROUND] = "round",
+    [COST_SPARSE] = "sparse",      [COST_TEST] = "tests",     [COST_SINGLE] = "singles",
 };
 
 const char *cost_name(enum cost_term term) {
     return names[term];
 }
 
-/* One level as the model sees it. */
-struct part {
-    double count, radius_max, radius_mean, margin, edge;
-    bool mixed;
-    double density; /* a length unit^dimension */
-    double pencil;  /* particles in a pencil */
-    double pencils;
-    bool sparse;
-    double span_radius[2]; /* largest radius to be expected in a span: own, other */
-    int first, last;       /* bins */
-    uint64_t bins;         /* bins with particles */
-    uint64_t unwanted;     /* bins that particles of some bin of the level never meet */
-};
-
 /* The radius that one of `rows` particles of the level exceeds. */
-static double largest_of(const struct cost_scene *scene, int first, int last, double count, double rows) {
+static double largest_of(const struct cost_scene *scene, const struct cost_level *level, double rows) {
     double above = 0;
-    int bin = last;
-    for (; bin > first; bin--) {
+    int bin = level->last;
+    for (; bin > level->first; bin--) {
         above += scene->count[bin];
-        if (above * rows >= count) {
+        if (above * rows >= level->count) {
             break;
         }
     }
     return scene->radius_max[bin];
 }
 
-static struct part part_of(const struct cost_scene *scene, const struct cost_plan *plan, int level) {
-    int first = level > 0 ? plan->last[level - 1] + 1 : 0, last = plan->last[level];
-    struct part part = {.edge = plan->edge[level], .first = first, .last = last};
+/* The particles of a level that holds the bins first ... last. */
+static struct cost_level level_of(const struct cost_scene *scene, int first, int last) {
+    struct cost_level level = {.first = first, .last = last};
     for (int bin = first; bin <= last; bin++) {
         if (scene->count[bin] > 0) {
-            part.mixed = scene->classes && part.count > 0;
-            part.margin = part.count == 0 || scene->classes ? scene->margin[bin] : part.margin;
-            part.radius_mean += scene->count[bin] * 0.5 * (scene->radius_min[bin] + scene->radius_max[bin]);
-            part.count += scene->count[bin];
-            part.radius_max = scene->radius_max[bin];
-            part.bins |= (uint64_t)1 << bin;
-            part.unwanted |= scene->unwanted[bin];
+            level.mixed = scene->classes && level.count > 0;
+            level.margin = level.count == 0 || scene->classes ? scene->margin[bin] : level.margin;
+            level.radius_mean += scene->count[bin] * 0.5 * (scene->radius_min[bin] + scene->radius_max[bin]);
+            level.count += scene->count[bin];
+            level.radius_max = scene->radius_max[bin];
+            level.bins |= (uint64_t)1 << bin;
+            level.unwanted |= scene->unwanted[bin];
         }
     }
-    if (part.count == 0) {
-        return part;
+    level.radius_mean /= level.count > 0 ? level.count : 1;
+    level.across = pow(scene->volume, 1.0 / scene->dimension);
+    level.density = level.count / scene->volume;
+    return level;
+}
+
+/* Gives a level cells of this edge. */
+static void set_cells(const struct cost_scene *scene, struct cost_level *level, double edge) {
+    level->edge = edge;
+    if (level->count == 0) {
+        return;
     }
-    part.radius_mean /= part.count;
-    double across = pow(scene->volume, 1.0 / scene->dimension);
-    double wide = fmax(1, across / part.edge);
-    part.density = part.count / scene->volume;
-    part.pencils = scene->dimension == 3 ? wide * wide : wide;
-    part.pencil = part.count / part.pencils;
-    part.sparse = levels_too_many_cells(levels_cells(scene->volume, part.edge, scene->dimension), part.count);
-    part.span_radius[0] = largest_of(scene, first, last, part.count, fmin(SEARCH_OWN_ROWS, part.pencil + 1));
-    part.span_radius[1] = largest_of(scene, first, last, part.count, fmin(SEARCH_ROWS, part.pencil + 1));
-    return part;
+    const int dimension = scene->dimension;
+    level->edge *= levels_growth(levels_cells(scene->volume, edge, dimension), level->count, dimension);
+    level->cells = levels_cells(scene->volume, level->edge, dimension);
+    level->sparse = levels_too_many_cells(level->cells, level->count);
+    double wide = fmax(1, level->across / level->edge);
+    level->pencils = dimension == 3 ? wide * wide : wide;
+    level->pencil = level->count / level->pencils;
+    level->span_radius[0] = largest_of(scene, level, fmin(SEARCH_OWN_ROWS, level->pencil + 1));
+    level->span_radius[1] = largest_of(scene, level, fmin(SEARCH_ROWS, level->pencil + 1));
+}
+
+static int first_of(const struct cost_plan *plan, int level) {
+    return level > 0 ? plan->last[level - 1] + 1 : 0;
+}
+
+double cost_level_cutoff(const struct cost_level *level) {
+    return level->count > 0 ? 2 * level->radius_max + level->margin : 0;
 }
 
 double cost_cutoff(const struct cost_scene *scene, const struct cost_plan *plan, int level) {
-    struct part part = part_of(scene, plan, level);
-    return part.count > 0 ? 2 * part.radius_max + part.margin : 0;
+    const struct cost_level at = level_of(scene, first_of(plan, level), plan->last[level]);
+    return cost_level_cutoff(&at);
 }
 
 /* The share of the rows of g that have a partner in h. */
-static double searching(const struct cost_scene *scene, const struct part *g, const struct part *h) {
+static double searching(const struct cost_scene *scene, const struct cost_level *g,
+                        const struct cost_level *h) {
     double count = 0;
     if ((g->unwanted & h->bins) == 0) {
         return h->count > 0;
@@ -95,25 +99,11 @@ static double searching(const struct cost_scene *scene, const struct part *g, co
     return count / g->count;
 }
 
-bool cost_meets_itself(const struct cost_scene *scene, const struct cost_plan *plan, int level) {
-    const int first = level > 0 ? plan->last[level - 1] + 1 : 0;
-    uint64_t bins = 0;
-    for (int bin = first; bin <= plan->last[level]; bin++) {
-        bins |= (uint64_t)(scene->count[bin] > 0) << bin;
-    }
-    for (int bin = first; bin <= plan->last[level]; bin++) {
-        if ((bins >> bin & 1) != 0 && (bins & ~scene->unwanted[bin]) != 0) {
-            return true;
-        }
-    }
-    return false;
-}
-
 /* Groups of at most `most` rows into which the pencils of a level fall. */
-static double spans_of(const struct part *part, double most) {
-    double some = 1 - exp(-part->pencil);
-    return part->pencils *
-           (part->pencil / most + 0.5 * some * (1 + exp(-part->pencil / most)) * (1 - 1 / most));
+static double spans_of(const struct cost_level *level, double most) {
+    double some = 1 - exp(-level->pencil);
+    return level->pencils *
+           (level->pencil / most + 0.5 * some * (1 + exp(-level->pencil / most)) * (1 - 1 / most));
 }
 
 /* Extents of the window in which rows look at the table h. */
@@ -124,66 +114,92 @@ struct window {
 };
 
 /* The window of rows that fill length x width, to a distance `reach` of them. */
-static struct window window_of(const struct cost_scene *scene, const struct part *h, double length,
+static struct window window_of(const struct cost_scene *scene, const struct cost_level *h, double length,
                                double width, double reach) {
-    double across = pow(scene->volume, 1.0 / scene->dimension);
+    const double most = 3 * h->across;
     bool flat = scene->dimension == 2;
     struct window window;
-    window.high = fmin(width + 2 * reach + h->edge, 3 * across);
+    window.high = fmin(width + 2 * reach + h->edge, most);
     window.wide = flat ? h->edge : window.high;
-    window.length = fmin(length + 2 * reach + 0.5 * h->edge, 3 * across);
+    window.length = fmin(length + 2 * reach + 0.5 * h->edge, most);
     window.pencils = window.high * window.wide / (h->edge * h->edge);
     window.round = window.high + (flat ? 0 : window.wide) > 6.5 * h->edge;
     return window;
 }
 
+/* Adds `windows` windows of a dense table with so many candidates each, on average, of which numbers spread. */
+static void add_windows(double windows, double found, double count[COST_TERMS]) {
+    count[COST_WINDOW] += windows;
+    count[COST_VECTOR] += windows * fmax(1, found / SEARCH_LANES + 0.5 * (SEARCH_LANES - 1) / SEARCH_LANES);
+    count[COST_LONG] += windows / (1 + exp((SEARCH_LONG + 0.5 - found) * 4 / SEARCH_LONG));
+}
+
 /* Counts the search of the rows of g, one by one, in their own dense table. */
-static void count_direct(const struct cost_scene *scene, const struct part *g, double count[COST_TERMS]) {
+static void count_direct(const struct cost_scene *scene, const struct cost_level *g,
+                         double count[COST_TERMS]) {
     const double rows = g->count * searching(scene, g, g);
     struct window window = window_of(scene, g, 0, 0, g->radius_mean + g->radius_max + g->margin);
-    double share = 0.5 + 0.5 / window.pencils;
-    double found = g->density * window.length * window.high * (scene->dimension == 2 ? 1 : window.wide);
-    double vectors = fmax(1, found / window.pencils / SEARCH_LANES + 0.5);
-    count[COST_WINDOW] += rows * share * window.pencils;
-    count[COST_VECTOR] += rows * share * window.pencils * vectors;
+    const double windows =
+        0.5 * (window.pencils + 1); /* of the first one half, the slots behind the row's own */
+    double found = 0.5 * g->density * window.length * window.high * (scene->dimension == 2 ? 1 : window.wide);
+    add_windows(rows * windows, found / windows, count);
+}
+
+/* Extents of the box around the rows of a span, along the pencils and across them. */
+struct box {
+    double length, width;
+};
+
+/* The probability that some particle of h is within reach of the box: else its candidates are not tested. */
+static double met(const struct cost_scene *scene, const struct cost_level *g, const struct cost_level *h,
+                  const struct box *box) {
+    const double a = box->length, b = box->width, r = g->span_radius[1] + h->radius_mean + g->margin;
+    const double volume = scene->dimension == 2 ? a * b + 2 * (a + b) * r + M_PI * r * r
+                                                : a * b * b + (4 * a * b + 2 * b * b) * r +
+                                                      M_PI * (a + 2 * b) * r * r + 4.0 / 3 * M_PI * r * r * r;
+    return 1 - exp(-h->density * volume);
+}
+
+/* The pencils of a window, of the table h, that a span looks up; and the rows of such pencils, which it leaves out if
+ * they are empty. */
+static double runs_of(const struct cost_level *h, const struct window *window, bool flat) {
+    if (h->sparse) {
+        return fmin(window->pencils, h->pencils * (1 - exp(-h->pencil)));
+    }
+    const double empty = exp(-h->density * window->high * (flat ? 1 : h->edge) * h->across);
+    return (1 - empty) * window->pencils + (flat ? 1 : window->wide / h->edge);
 }
 
 /* Counts the search of the rows of g in the table of h, in spans. */
-static void count_spans(const struct cost_scene *scene, const struct part *g, const struct part *h, bool own,
-                        double count[COST_TERMS]) {
-    bool flat = scene->dimension == 2;
+static void count_spans(const struct cost_scene *scene, const struct cost_level *g,
+                        const struct cost_level *h, bool own, double count[COST_TERMS]) {
+    const bool flat = scene->dimension == 2;
     double spans = spans_of(g, own ? SEARCH_OWN_ROWS : SEARCH_ROWS), rows = g->count / spans;
-    double across = pow(scene->volume, 1.0 / scene->dimension);
-    struct window window = window_of(scene, h, fmin(across, rows / g->pencil * across),
-                                     fmin(g->edge, across) * (rows - 1) / (rows + 1),
-                                     g->span_radius[own ? 0 : 1] + h->radius_max + g->margin);
-    double area = window.high * (flat ? 1 : window.wide);
-    if (!flat && window.round) {
-        area *= 0.85;
-    }
-    double share = own ? 0.5 + 0.5 / window.pencils : 1;
-    double row_empty = exp(-h->density * window.high * (flat ? 1 : h->edge) * across);
-    double found = h->density * area * share * window.length;
-    double runs = share * ((1 - row_empty) * window.pencils + (flat ? 1 : window.wide / h->edge));
-    double some = 1 - exp(-found);
-    const double take = searching(scene, g, h);
+    const struct box box = {.length = fmin(g->across, rows / g->pencil * g->across),
+                            .width = fmin(g->edge, g->across) * (rows - 1) / (rows + 1)};
+    const struct window window =
+        window_of(scene, h, box.length, box.width, g->span_radius[own ? 0 : 1] + h->radius_max + g->margin);
+    const double area = window.high * (flat ? 1 : window.wide) * (!flat && window.round ? 0.85 : 1);
+    const double share = own ? 0.5 + 0.5 / window.pencils : 1;
+    const double found = h->density * area * share * window.length, some = 1 - exp(-found);
+    const double take = searching(scene, g, h), runs = share * runs_of(h, &window, flat);
+    const double tested = own ? rows : 1 + met(scene, g, h, &box) * rows;
     spans *= take;
     count[COST_VISIT] += g->count * take;
     count[COST_RUN] += spans * runs;
     count[COST_ROUND] += window.round ? spans * runs : 0;
     count[COST_SPARSE] += h->sparse ? spans * runs : 0;
-    count[COST_TEST] += spans * rows * (found / SEARCH_LANES + 0.5 * some);
+    count[COST_TEST] += spans * tested * (found / SEARCH_LANES + 0.5 * some);
 }
 
 /* Counts the search of `rows` rows, one by one, in the table of the smaller particles g. */
-static void count_singles(const struct part *g, double rows, const struct window *window, double found,
+static void count_singles(const struct cost_level *g, double rows, const struct window *window, double found,
                           double count[COST_TERMS]) {
     double pencils = rows * window->pencils;
     count[COST_SINGLE] += rows;
     count[COST_VISIT] += HANDED_OUT * g->count;
     if (!g->sparse && window->pencils <= LEVELS_PENCILS_DIRECT) {
-        count[COST_WINDOW] += pencils;
-        count[COST_VECTOR] += pencils * fmax(1, found / window->pencils / SEARCH_LANES + 0.5);
+        add_windows(pencils, found / window->pencils, count);
     } else {
         count[COST_RUN] += pencils;
         count[COST_ROUND] += window->round ? pencils : 0;
@@ -193,8 +209,8 @@ static void count_singles(const struct part *g, double rows, const struct window
 }
 
 /* Counts the pairs between two levels, g the smaller: in spans of g, or by single rows of h. */
-static void count_cross(const struct cost_scene *scene, const struct part *g, const struct part *h,
-                        double count[COST_TERMS]) {
+static void count_cross(const struct cost_scene *scene, const struct cost_level *g,
+                        const struct cost_level *h, double count[COST_TERMS]) {
     const double reach = h->radius_max + g->radius_max + g->margin;
     const struct window up = window_of(scene, h, g->edge, g->edge, reach),
                         down = window_of(scene, g, 0, 0, reach);
@@ -213,49 +229,119 @@ static void count_cross(const struct cost_scene *scene, const struct part *g, co
     }
 }
 
-void cost_count(const struct cost_scene *scene, const struct cost_plan *plan, double count[COST_TERMS]) {
-    struct part part[INDEX_CLASS_MAX];
+/* Adds the events of level h alone (g = h), and those of its pairs with the rows of g <= h. */
+static void count_pair(const struct cost_scene *scene, const struct cost_level *g, const struct cost_level *h,
+                       double count[COST_TERMS]) {
+    if (g == h) {
+        count[COST_PARTICLE] += g->count;
+        count[COST_MIXED] += g->mixed ? g->count : 0;
+        count[COST_CELL] += g->sparse ? 0 : g->cells;
+    }
+    if (g->count == 0 || searching(scene, g, h) == 0) {
+        return;
+    }
+    if (g == h && !g->sparse) {
+        count_direct(scene, g, count);
+    } else if (g == h) {
+        count_spans(scene, g, g, true, count);
+    } else {
+        count_cross(scene, g, h, count);
+    }
+}
+
+static double priced(const double count[COST_TERMS]) {
+    double sum = 0;
     for (int t = 0; t < COST_TERMS; t++) {
-        count[t] = 0;
+        sum += count[t] * prices_event(t);
+    }
+    return sum;
+}
+
+/* Prices the pairs of level g with all levels. */
+static void price_level(struct cost_sheet *sheet, int g) {
+    for (int other = 0; other < sheet->levels; other++) {
+        const int low = g < other ? g : other, high = g < other ? other : g;
+        double count[COST_TERMS] = {0};
+        count_pair(sheet->scene, &sheet->level[low], &sheet->level[high], count);
+        sheet->pair[low][high] = priced(count);
+    }
+}
+
+void cost_sheet_make(struct cost_sheet *sheet, const struct cost_scene *scene, const struct cost_plan *plan) {
+    sheet->scene = scene;
+    sheet->levels = plan->levels;
+    for (int g = 0; g < plan->levels; g++) {
+        sheet->level[g] = level_of(scene, first_of(plan, g), plan->last[g]);
+        set_cells(scene, &sheet->level[g], plan->edge[g]);
     }
     for (int g = 0; g < plan->levels; g++) {
-        part[g] = part_of(scene, plan, g);
-        count[COST_PARTICLE] += part[g].count;
-        count[COST_MIXED] += part[g].mixed ? part[g].count : 0;
+        price_level(sheet, g);
     }
-    for (int g = 0; g < plan->levels; g++) {
-        for (int h = g; h < plan->levels && part[g].count > 0; h++) {
-            if (searching(scene, &part[g], &part[h]) == 0) {
-                continue;
-            }
-            if (g == h && !part[g].sparse) {
-                count_direct(scene, &part[g], count);
-            } else if (g == h) {
-                count_spans(scene, &part[g], &part[g], true, count);
-            } else {
-                count_cross(scene, &part[g], &part[h], count);
-            }
+}
+
+void cost_sheet_plan(const struct cost_sheet *sheet, struct cost_plan *plan) {
+    *plan = (struct cost_plan){.levels = sheet->levels};
+    for (int g = 0; g < sheet->levels; g++) {
+        plan->last[g] = sheet->level[g].last;
+        plan->edge[g] = sheet->level[g].edge;
+    }
+}
+
+double cost_sheet_seconds(const struct cost_sheet *sheet) {
+    double sum = 0;
+    for (int g = 0; g < sheet->levels; g++) {
+        for (int h = g; h < sheet->levels; h++) {
+            sum += sheet->pair[g][h];
+        }
+    }
+    return sum * 1e-9 / (sheet->scene->threads > 0 ? sheet->scene->threads : 1);
+}
+
+void cost_sheet_edge(struct cost_sheet *sheet, int level, double edge) {
+    set_cells(sheet->scene, &sheet->level[level], edge);
+    price_level(sheet, level);
+}
+
+void cost_sheet_join(struct cost_sheet *sheet, int level) {
+    struct cost_level *joined = &sheet->level[level];
+    const int first = joined->first, last = sheet->level[level + 1].last;
+    sheet->levels--;
+    for (int g = level + 1; g < sheet->levels; g++) {
+        sheet->level[g] = sheet->level[g + 1];
+    }
+    for (int g = 0; g < sheet->levels; g++) {
+        for (int h = g > level ? g : level + 1; h < sheet->levels; h++) {
+            sheet->pair[g][h] = sheet->pair[g > level ? g + 1 : g][h + 1];
+        }
+    }
+    *joined = level_of(sheet->scene, first, last);
+    const double edge = cost_level_cutoff(joined);
+    cost_sheet_edge(sheet, level, edge > 0 ? edge : 1);
+}
+
+void cost_count(const struct cost_scene *scene, const struct cost_plan *plan, double count[COST_TERMS]) {
+    struct cost_level level[INDEX_CLASS_MAX];
+    memset(count, 0, COST_TERMS * sizeof *count);
+    for (int h = 0; h < plan->levels; h++) {
+        level[h] = level_of(scene, first_of(plan, h), plan->last[h]);
+        set_cells(scene, &level[h], plan->edge[h]);
+        for (int g = 0; g <= h; g++) {
+            count_pair(scene, &level[g], &level[h], count);
         }
     }
 }
 
 double cost_seconds(const struct cost_scene *scene, const struct cost_plan *plan) {
-    double count[COST_TERMS], sum = 0;
+    double count[COST_TERMS];
     cost_count(scene, plan, count);
-    for (int t = 0; t < COST_TERMS; t++) {
-        sum += count[t] * prices_event(t);
-    }
-    return sum * 1e-9 / (scene->threads > 0 ? scene->threads : 1);
+    return priced(count) * 1e-9 / (scene->threads > 0 ? scene->threads : 1);
 }
 
 void cost_why(const struct cost_scene *scene, const struct cost_plan *plan, char why[INDEX_WHY_MAX]) {
-    double count[COST_TERMS], sum = 0, particles = 0;
+    double count[COST_TERMS];
     size_t used = 0;
     cost_count(scene, plan, count);
-    for (int t = 0; t < COST_TERMS; t++) {
-        sum += count[t] * prices_event(t);
-    }
-    particles = count[COST_PARTICLE] > 0 ? count[COST_PARTICLE] : 1;
+    const double sum = priced(count), particles = count[COST_PARTICLE] > 0 ? count[COST_PARTICLE] : 1;
     why[0] = '\0';
     for (int t = 0; t < COST_TERMS; t++) {
         double share = sum > 0 ? 100 * count[t] * prices_event(t) / sum : 0;

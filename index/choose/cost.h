@@ -7,6 +7,7 @@
  * so the counts are, for rows of level g and the tables of levels h >= g, with n_h the number density of h
  * and a cut-off s:
  *
+ *   cells       of dense tables, which the build counts through
  *   windows     where g = h and the table is dense: rows x pencils within s of them, half of those
  *   vectors     LANES of candidates in these windows, one vector at least in each
  *   visits      elsewhere: rows of g, once for each h; half a visit where h finds the pairs
@@ -15,7 +16,7 @@
  *   round       runs of wide windows, which are cut to a ball pencil by pencil
  *   sparse      runs in tables that are kept sparse (cells.h)
  *   tests       candidates of a span, n_h x (volume of those pencils between the ends of the window), x rows,
- *               LANES at a time
+ *               LANES at a time. For h > g once a span, and for its rows only if one of them is within reach
  *   singles     rows of h, where they find their pairs with g themselves (cross.h). Their candidates are
  *               counted with the windows and vectors, or with the runs and tests
  *
@@ -53,6 +54,43 @@ struct cost_plan {
     double edge[INDEX_CLASS_MAX]; /* cell edge in y and z, length unit */
 };
 
+/* One level as the model sees it: its particles, and its cells. */
+struct cost_level {
+    int first, last; /* bins */
+    double count, radius_max, radius_mean, margin;
+    double density;          /* particles a length unit^dimension */
+    double across;           /* edge of a cube (2D: a square) of the occupied volume, length unit */
+    bool mixed;              /* several classes with particles */
+    uint64_t bins, unwanted; /* bins with particles; bins that particles of some bin never meet */
+    double edge;             /* of the cells, length unit */
+    double cells;            /* their number */
+    double pencils, pencil;  /* pencils of cells, and particles in one of them */
+    bool sparse;
+    double span_radius[2]; /* largest radius to be expected in a span: own, other */
+};
+
+/* A plan with the cost of each pair of its levels. A change of one level prices the pairs of this level again,
+ * and no others: its cost grows with the number of levels, not with its square. */
+struct cost_sheet {
+    const struct cost_scene *scene; /* the caller keeps it */
+    int levels;
+    struct cost_level level[INDEX_CLASS_MAX];
+    double pair[INDEX_CLASS_MAX][INDEX_CLASS_MAX]; /* [g][h], g <= h: nanoseconds, of all threads together */
+};
+
+void cost_sheet_make(struct cost_sheet *sheet, const struct cost_scene *scene, const struct cost_plan *plan);
+
+/* Gives a level cells of this edge. */
+void cost_sheet_edge(struct cost_sheet *sheet, int level, double edge);
+
+/* Makes one level, with cells of its cut-off, of the levels `level` and `level` + 1. */
+void cost_sheet_join(struct cost_sheet *sheet, int level);
+
+/* What cost_seconds says of the plan. */
+double cost_sheet_seconds(const struct cost_sheet *sheet);
+
+void cost_sheet_plan(const struct cost_sheet *sheet, struct cost_plan *plan);
+
 /* Counts the events of a plan; the work of all threads together. */
 void cost_count(const struct cost_scene *scene, const struct cost_plan *plan, double count[COST_TERMS]);
 
@@ -65,10 +103,8 @@ void cost_why(const struct cost_scene *scene, const struct cost_plan *plan, char
 /* Name of a term. */
 const char *cost_name(enum cost_term term);
 
-/* The cut-off, 2 radius + margin, that the cells of a level are made from. */
+/* The cut-off, 2 radius + margin, that the cells of a level are made from; 0 if the level has no particles. */
 double cost_cutoff(const struct cost_scene *scene, const struct cost_plan *plan, int level);
-
-/* True if some particles of a level meet others of the level. */
-bool cost_meets_itself(const struct cost_scene *scene, const struct cost_plan *plan, int level);
+double cost_level_cutoff(const struct cost_level *level);
 
 #endif

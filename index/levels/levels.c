@@ -77,16 +77,20 @@ static void lay_grid(struct levels *levels, int g, size_t owned) {
     double edge = levels->plan.edge[g];
     int directions;
     double cells = cells_of(frame, edge, &directions);
-    double room = LEVELS_CELLS_A_PARTICLE * (double)owned * 0.9 + LEVELS_CELLS_FREE * 0.5;
-    if (!levels->plan.fixed[g] && cells > room && directions > 0) {
-        double growth = pow(cells / room, 1.0 / directions);
-        edge *= growth <= GROWTH ? growth : 1;
+    if (!levels->plan.fixed[g]) {
+        edge *= levels_growth(cells, (double)owned, directions);
     }
     grid_make(&levels->level[g].grid, frame, edge, edge / X_CELLS);
 }
 
 double levels_cells(double volume, double edge, int dimension) {
     return X_CELLS * volume / pow(edge, dimension);
+}
+
+double levels_growth(double cells, double particles, int directions) {
+    const double room = LEVELS_CELLS_A_PARTICLE * particles * 0.9 + LEVELS_CELLS_FREE * 0.5;
+    const double growth = cells > room && directions > 0 ? pow(cells / room, 1.0 / directions) : 1;
+    return growth <= GROWTH ? growth : 1;
 }
 
 bool levels_too_many_cells(double cells, double particles) {

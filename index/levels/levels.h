@@ -28,6 +28,9 @@
 double levels_cells(double volume, double edge, int dimension);
 bool levels_too_many_cells(double cells, double particles);
 
+/* The factor, 1 ... 2.5, by which the edge of so many cells in `directions` directions grows to keep the grid dense. */
+double levels_growth(double cells, double particles, int directions);
+
 void levels_start(struct levels *levels, const struct index_params *params);
 void levels_free(struct levels *levels);
 

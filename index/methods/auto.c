@@ -17,12 +17,16 @@
 #include <stdio.h>
 #include <string.h>
 
+/* Variants that cost more than the choice by this factor are not timed. */
+static const double TRIED_WITHIN = 1.15;
+
 enum { VARIANTS = 4, SAMPLE = 16384, ACROSS_MAX = 16, STEPS_A_DOUBLING = 8 };
 
 struct auto_index {
     struct index base;
     struct levels levels;
-    struct cost_scene scene; /* scene of the present choice */
+    struct cost_scene scene; /* of the last look; its events are those that the choice predicts */
+    struct cost_scene steps; /* the scene of the present choice, in steps */
     struct cost_plan plan[VARIANTS];
     int variants, selected;
     uint64_t choices;
@@ -74,7 +78,7 @@ static double occupied(const struct index_view *view, double cutoff) {
     return volume * cells / pow(across, view->dimension);
 }
 
-/* Fills the scene from a view; its bins are the classes. */
+/* Fills the scene from a view, as it is; its bins are the classes. */
 static void look(const struct index_view *view, struct cost_scene *scene) {
     uint64_t count[INDEX_CLASS_MAX] = {0};
     memset(scene, 0, sizeof *scene);
@@ -86,11 +90,11 @@ static void look(const struct index_view *view, struct cost_scene *scene) {
     scene->classes = true;
     scene->dimension = view->dimension;
     scene->threads = view->threads;
-    scene->volume = in_steps(
-        view->owned > 0 ? occupied(view, grid_frame_cutoffs(view, 0, view->classes - 1).largest) : 1);
+    scene->volume =
+        view->owned > 0 ? occupied(view, grid_frame_cutoffs(view, 0, view->classes - 1).largest) : 1;
     for (int c = 0; c < view->classes; c++) {
         const int partner = grid_frame_partner(view, c); /* a class without partners does not count */
-        scene->count[c] = partner < 0 ? 0 : in_steps((double)count[c]);
+        scene->count[c] = partner < 0 ? 0 : (double)count[c];
         scene->radius_max[c] = scene->radius_min[c] = view->radius_max[c];
         scene->margin[c] = partner < 0 ? 0 : view->margin[c][partner];
         for (int b = 0; b < view->classes; b++) {
@@ -99,8 +103,21 @@ static void look(const struct index_view *view, struct cost_scene *scene) {
     }
 }
 
-/* Adds a variant of the choice, unless an earlier one is equal. */
+/* The scene with numbers and volume in steps. */
+static void in_steps_all(const struct cost_scene *scene, struct cost_scene *steps) {
+    memcpy(steps, scene, sizeof *steps);
+    steps->volume = in_steps(scene->volume);
+    for (int c = 0; c < scene->bins; c++) {
+        steps->count[c] = in_steps(scene->count[c]);
+    }
+}
+
+/* Adds a variant of the choice, unless an earlier one is equal or the model finds it clearly dearer. */
 static void offer(struct auto_index *index, const struct cost_plan *plan) {
+    if (index->variants > 0 &&
+        cost_seconds(&index->steps, plan) > TRIED_WITHIN * cost_seconds(&index->steps, &index->plan[0])) {
+        return;
+    }
     for (int k = 0; k < index->variants; k++) {
         if (memcmp(&index->plan[k], plan, sizeof *plan) == 0) {
             return;
@@ -110,7 +127,7 @@ static void offer(struct auto_index *index, const struct cost_plan *plan) {
 }
 
 static void choose(struct auto_index *index) {
-    const struct cost_scene *scene = &index->scene;
+    const struct cost_scene *scene = &index->steps;
     struct cost_plan plan = {0};
     auto_group(scene, &plan);
     index->variants = index->selected = 0;
@@ -132,12 +149,13 @@ static void choose(struct auto_index *index) {
 }
 
 static struct levels_plan make_plan(struct auto_index *index, const struct index_view *view) {
-    struct cost_scene scene;
+    struct cost_scene steps;
     struct levels_plan plan = {0};
     if (!index->ordered) {
-        look(view, &scene);
-        if (index->choices == 0 || memcmp(&scene, &index->scene, sizeof scene) != 0) {
-            index->scene = scene;
+        look(view, &index->scene);
+        in_steps_all(&index->scene, &steps);
+        if (index->choices == 0 || memcmp(&steps, &index->steps, sizeof steps) != 0) {
+            memcpy(&index->steps, &steps, sizeof steps);
             choose(index);
         }
     }

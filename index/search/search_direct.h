@@ -79,6 +79,7 @@ struct direct {
 LANES_INLINE void direct_slots(struct direct *direct, uint32_t from, uint32_t count, bool exact) {
     const struct table *table = &direct->table;
     lanes_mask doubt;
+    SEARCH_EVENT(COST_VECTOR, 1);
     unsigned open = (1u << count) - 1;
     unsigned chosen =
         lanes_test(&direct->row, table->x + from, table->y + from, table->z + from, table->r + from, &doubt);
@@ -111,6 +112,8 @@ LANES_INLINE void direct_pencils(struct direct *direct, const struct windows *wi
         for (; y <= y1; y++, begin += table->nx) {
             uint32_t from = own ? own : begin[x0], to = begin[x1];
             own = 0;
+            SEARCH_EVENT(COST_WINDOW, 1);
+            SEARCH_EVENT(COST_LONG, to - from > SEARCH_LONG);
             for (; to - from > LANES; from += LANES) {
                 direct_slots(direct, from, LANES, exact);
             }
@@ -131,6 +134,8 @@ LANES_INLINE void direct_image(struct direct *direct, const struct windows *wind
         for (int y = z == windows->own_z && y0 < windows->own_y ? windows->own_y : y0; y <= y1; y++) {
             struct cells_slice slice = cells_run(search->cells, &search->level->grid, x0, x1, y, z);
             uint32_t from = slice.begin > start ? slice.begin : start;
+            SEARCH_EVENT(COST_WINDOW, 1);
+            SEARCH_EVENT(COST_LONG, slice.end > from + SEARCH_LONG);
             for (; from < slice.end; from += LANES) {
                 direct_slots(direct, from, slice.end - from < LANES ? slice.end - from : LANES, exact);
             }

@@ -82,7 +82,10 @@ struct part {
 LANES_INLINE void append_pencil(struct quest *quest, const struct part *part, int y, int z) {
     const struct grid *grid = &quest->search->level->grid;
     int x0 = part->first[0], x1 = part->last[0];
+    SEARCH_EVENT(COST_RUN, 1);
+    SEARCH_EVENT(COST_SPARSE, quest->search->cells->sparse);
     if (part->round) {
+        SEARCH_EVENT(COST_ROUND, 1);
         float left = reach_left(grid, (const int[3]){0, y, z}, part->low, part->high, part->reach);
         if (left < 0) {
             return;
@@ -102,6 +105,8 @@ LANES_INLINE void append_all_pencils(struct quest *quest, const struct part *par
         if (y < part->first[1] || y > part->last[1] || z < part->first[2] || z > part->last[2]) {
             continue;
         }
+        SEARCH_EVENT(COST_RUN, 1);
+        SEARCH_EVENT(COST_SPARSE, 1);
         struct cells_slice slice = {cells_bisect(cells, (int64_t)p, part->first[0]),
                                     cells_bisect(cells, (int64_t)p, part->last[0] + 1)};
         append(quest, slice, part->shift, part->bits);
@@ -126,6 +131,7 @@ LANES_INLINE void append_part(struct quest *quest, const struct part *part, bool
     }
     for (int z = own ? own_z : part->first[2]; z <= part->last[2]; z++) {
         int y0 = own && z == own_z ? own_y : part->first[1];
+        SEARCH_EVENT(COST_RUN, !cells->sparse);
         if (empty_rows(cells, grid, y0, part->last[1], z)) {
             continue;
         }

@@ -10,6 +10,11 @@
 
 #include <stdalign.h>
 
+/* n more events that a search has a price for (index/prices.h). A file that includes this one may count them. */
+#ifndef SEARCH_EVENT
+#define SEARCH_EVENT(term, n) ((void)0)
+#endif
+
 enum { ROWS = SEARCH_ROWS, OWN_ROWS = SEARCH_OWN_ROWS, SLOTS_APART = 128, CANDIDATES = 512 };
 
 struct block {
@@ -99,6 +104,7 @@ LANES_INLINE bool emit_row(struct quest *quest, const struct lanes_row *row, uin
     lanes_mask doubt, doubtful = lanes_none();
     unsigned open = ~0u << at % LANES; /* whole vectors are tested: candidates before `at` do not count */
     for (at -= at % LANES; at < buffer->count; at += LANES) {
+        SEARCH_EVENT(COST_TEST, 1);
         unsigned chosen =
             lanes_test(row, buffer->x + at, buffer->y + at, buffer->z + at, buffer->r + at, &doubt) & open;
         doubtful = lanes_either(doubtful, doubt);
@@ -156,6 +162,7 @@ LANES_INLINE bool span_met(const struct quest *quest) {
     const struct span *span = &quest->span;
     const float margin = span->r_max + quest->search->margin;
     int met = 0;
+    SEARCH_EVENT(COST_TEST, (buffer->count + LANES - 1) / LANES);
 #pragma omp simd reduction(| : met)
     for (size_t k = 0; k < buffer->count; k++) {
         float dx = beyond(span->low[0], span->high[0], buffer->x[k]);

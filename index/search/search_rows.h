@@ -173,6 +173,8 @@ LANES_INLINE void search_rows(const struct levels *levels, const struct searches
         int c = quest.block.size_class;
         for (int s = 0; s < searches->count[c]; s++) {
             quest.search = &searches->list[c][s];
+            SEARCH_EVENT(quest.search->single ? COST_SINGLE : COST_VISIT,
+                         quest.search->single || !quest.search->direct ? quest.block.rows : 0);
             if (quest.search->direct) {
                 search_direct(&quest);
                 continue;

@@ -15,6 +15,14 @@ static double error_of(const struct bench_sample *sample, const double price[COS
     return seconds / sample->seconds - 1;
 }
 
+double bench_fit_error(const struct bench_sample *sample, int samples, const double price[COST_TERMS]) {
+    double sum = 0;
+    for (int k = 0; k < samples; k++) {
+        sum += pow(error_of(&sample[k], price), 2);
+    }
+    return sqrt(sum / samples);
+}
+
 double bench_fit(const struct bench_sample *sample, int samples, double price[COST_TERMS]) {
     for (int t = 0; t < COST_TERMS; t++) {
         price[t] = 0;
@@ -30,9 +38,5 @@ double bench_fit(const struct bench_sample *sample, int samples, double price[CO
             price[t] = curve > 0 ? fmax(0, price[t] - slope / curve) : 0;
         }
     }
-    double sum = 0;
-    for (int k = 0; k < samples; k++) {
-        sum += pow(error_of(&sample[k], price), 2);
-    }
-    return sqrt(sum / samples);
+    return bench_fit_error(sample, samples, price);
 }

@@ -11,6 +11,9 @@ struct bench_sample {
     double seconds;
 };
 
+/* The root mean square of the relative errors of the samples' seconds by these prices. */
+double bench_fit_error(const struct bench_sample *sample, int samples, const double price[COST_TERMS]);
+
 /* The prices, nanoseconds, none below zero, that predict the samples best; returns the root mean square of
  * the relative errors. */
 double bench_fit(const struct bench_sample *sample, int samples, double price[COST_TERMS]);

@@ -13,8 +13,8 @@
  */
 #include "base/memory.h"
 #include "index/choose/auto_choose.h"
+#include "tests/index/bench_events.h"
 #include "tests/index/bench_fit.h"
-#include "tests/index/bench_scene.h"
 
 #include <math.h>
 #include <omp.h>
@@ -45,52 +45,6 @@ struct result {
     double order, build, count, fill;
     size_t pairs;
 };
-
-static int compare_doubles(const void *a, const void *b) {
-    double x = *(const double *)a, y = *(const double *)b;
-    return (x > y) - (x < y);
-}
-
-/* The scene in the form of the cost model. */
-static void describe_scene(struct bench *bench, const struct index_view *view) {
-    double *radii = memory_allocate(view->owned, sizeof *radii, "radii");
-    for (size_t k = 0; k < view->owned; k++) {
-        radii[k] = view->radius[k * view->stride];
-    }
-    qsort(radii, view->owned, sizeof *radii, compare_doubles);
-    bench->scene = (struct cost_scene){
-        .volume = view->edge[0] * view->edge[1] * view->edge[2], .dimension = 3, .threads = bench->threads};
-    auto_bins(&bench->scene, radii, view->owned, 1);
-    for (int bin = 0; bin < bench->scene.bins; bin++) {
-        bench->scene.margin[bin] = bench->spec.skin * bench->scene.radius_min[bin];
-    }
-    memory_free(radii);
-}
-
-/* Classes, one for each level of the plan, and margins. */
-static void set_classes(const struct bench *bench, struct bench_scene *scene) {
-    const struct cost_plan *plan = &bench->plan;
-    struct index_view *view = &scene->view;
-    double least[INDEX_CLASS_MAX];
-    view->classes = plan->levels;
-    for (int c = 0; c < plan->levels; c++) {
-        int first = c > 0 ? plan->last[c - 1] + 1 : 0;
-        least[c] = bench->scene.radius_min[first];
-        view->radius_max[c] = bench->scene.radius_max[plan->last[c]];
-    }
-    for (int a = 0; a < plan->levels; a++) {
-        for (int b = 0; b < plan->levels; b++) {
-            view->margin[a][b] = bench->spec.skin * least[a < b ? a : b];
-        }
-    }
-    for (size_t k = 0; k < view->owned; k++) {
-        int c = 0;
-        while (c < plan->levels - 1 && scene->record[k * BENCH_STRIDE + 3] > view->radius_max[c]) {
-            c++;
-        }
-        scene->size_class[k] = (uint8_t)c;
-    }
-}
 
 /* A level for each factor of two in radius, cells of the cut-off. */
 static void octaves(struct bench *bench) {
@@ -202,8 +156,20 @@ static double occupancy(const struct bench *bench) {
     return sum / bench->plan.levels;
 }
 
-static void print(const struct bench *bench, const struct index_view *view, const struct result *r) {
-    double seconds = r->order + r->build + r->fill, n = (double)view->owned, count[COST_TERMS];
+/* The events that the model predicts, and those that the search counts. */
+static void print_terms(const struct bench *bench, struct bench_scene *scene) {
+    double count[COST_TERMS], counted[COST_TERMS];
+    cost_count(&bench->scene, &bench->plan, count);
+    bench_events(scene, &bench->plan, counted);
+    for (int t = 0; t < COST_TERMS; t++) {
+        const char *name = cost_name((enum cost_term)t);
+        printf(", \"%s\": %.6g, \"%s_counted\": %.6g", name, count[t], name, counted[t]);
+    }
+}
+
+static void print(const struct bench *bench, struct bench_scene *scene, const struct result *r) {
+    const struct index_view *view = &scene->view;
+    double seconds = r->order + r->build + r->fill, n = (double)view->owned;
     printf("{\"law\": \"%s\", \"exponent\": %g, \"ratio\": %g, \"fraction\": %g, \"skin\": %g, \"index\": "
            "\"%s\", "
            "\"levels\": %d, \"factor\": %g, \"threads\": %d, \"particles\": %zu, \"seconds\": %.6g, "
@@ -213,9 +179,8 @@ static void print(const struct bench *bench, const struct index_view *view, cons
            bench->index, bench->plan.levels, bench->factor, view->threads, view->owned, seconds,
            1e9 * seconds / n, r->order, r->build, r->count, r->fill, r->pairs, occupancy(bench),
            cost_seconds(&bench->scene, &bench->plan));
-    cost_count(&bench->scene, &bench->plan, count);
-    for (int t = 0; bench->terms && t < COST_TERMS; t++) {
-        printf(", \"%s\": %.6g", cost_name((enum cost_term)t), count[t]);
+    if (bench->terms) {
+        print_terms(bench, scene);
     }
     printf(", \"edges\": [");
     for (int g = 0; g < bench->plan.levels; g++) {
@@ -230,14 +195,14 @@ static double run_plan(struct bench *bench, struct bench_scene *scene) {
     struct error error = {0};
     struct result least = {0};
     choose(bench);
-    set_classes(bench, scene);
+    bench_classes(scene, &bench->scene, &bench->plan, bench->spec.skin);
     struct index *index = index_create(bench->index, &bench->params, &error);
     if (index == NULL) {
         fprintf(stderr, "bench_index: %s\n", error.text);
         exit(2);
     }
     measure(bench, scene, index, &least);
-    print(bench, &scene->view, &least);
+    print(bench, scene, &least);
     index_destroy(&index);
     return least.order + least.build + least.fill;
 }
@@ -246,12 +211,13 @@ static void run(struct bench *bench) {
     struct bench_scene scene;
     bench_scene_make(&scene, &bench->spec);
     scene.view.threads = bench->threads;
-    describe_scene(bench, &scene.view);
+    bench_describe(&scene.view, bench->spec.skin, &bench->scene);
     run_plan(bench, &scene);
     bench_scene_free(&scene);
 }
 
-/* Fits the prices of the cost model to this machine, on one thread. */
+/* Fits the prices of the events that the search counts to the seconds of this machine, on one thread, and compares the
+ * seconds with those of the events that the model predicts. */
 static void calibrate(struct bench *bench) {
     static const struct bench_spec specs[] = {
         {.law = "power", .ratio = 1, .particles = 40000, .fraction = 0.3, .skin = 0.3},
@@ -265,23 +231,25 @@ static void calibrate(struct bench *bench) {
         {.law = "bidisperse", .large = 3e-3, .ratio = 10, .particles = 60000, .fraction = 0.5, .skin = 0.3},
         {.law = "lognormal", .ratio = 20, .particles = 30000, .fraction = 0.35, .skin = 0.3},
     };
-    static const double factors[] = {0.6, 0.8, 1.1, 1.7};
+    static const double factors[] = {0.7, 1, 1.4, 2, 2.8};
     enum { LEVELS = 4, SPECS = sizeof specs / sizeof specs[0], FACTORS = sizeof factors / sizeof factors[0] };
-    struct bench_sample sample[SPECS * LEVELS * FACTORS];
+    static struct bench_sample sample[SPECS * LEVELS * FACTORS], predicted[SPECS * LEVELS * FACTORS];
     int samples = 0;
     for (int s = 0; s < SPECS; s++) {
         struct bench_scene scene;
         bench->spec = specs[s];
         bench_scene_make(&scene, &bench->spec);
-        describe_scene(bench, &scene.view);
+        scene.view.threads = bench->threads;
+        bench_describe(&scene.view, bench->spec.skin, &bench->scene);
         for (int l = 1; l <= LEVELS; l++) {
             for (int f = 0; f < (l == 1 && specs[s].ratio > 8 ? 2 : FACTORS); f++) {
                 bench->levels = l;
                 bench->factor = factors[f];
                 double seconds = run_plan(bench, &scene);
                 if (bench->plan.levels == l) {
-                    sample[samples].seconds = seconds;
-                    cost_count(&bench->scene, &bench->plan, sample[samples++].count);
+                    sample[samples].seconds = predicted[samples].seconds = seconds;
+                    bench_events(&scene, &bench->plan, sample[samples].count);
+                    cost_count(&bench->scene, &bench->plan, predicted[samples++].count);
                 }
             }
         }
@@ -289,7 +257,8 @@ static void calibrate(struct bench *bench) {
     }
     double price[COST_TERMS];
     double error = bench_fit(sample, samples, price);
-    printf("{\"samples\": %d, \"relative_error\": %.3g", samples, error);
+    printf("{\"samples\": %d, \"relative_error\": %.3g, \"predicted_error\": %.3g", samples, error,
+           bench_fit_error(predicted, samples, price));
     for (int t = 0; t < COST_TERMS; t++) {
         printf(", \"%s\": %.4g", cost_name((enum cost_term)t), price[t]);
     }

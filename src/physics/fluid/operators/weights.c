@@ -2,6 +2,7 @@
 /* Rows of weights from rows of pairs: count, scan, fill. Read weights.h first. */
 #include "physics/fluid/operators/weights.h"
 #include "base/memory.h"
+#include "base/scan.h"
 #include "physics/fluid/lattice/pattern.h"
 #include "physics/fluid/operators/mls.h"
 #include "kernel/particles/kinds.h"
@@ -62,15 +63,6 @@ static void row_fill(const struct build *build, size_t row) {
         int kind = kind_at(build->input, pair_partner(pairs->partner[e]));
         if (kind != KIND_GRAIN && neighbour_of(build->input, build->options, i, pairs->partner[e], &to))
             weights->partner[at[kind == KIND_BOUNDARY]++] = pairs->partner[e];
-    }
-}
-
-static void sum_up(size_t *start, size_t rows) {
-    size_t sum = 0;
-    for (size_t k = 0; k <= rows; k++) {
-        size_t count = k < rows ? start[k] : 0;
-        start[k] = sum;
-        sum += count;
     }
 }
 
@@ -180,6 +172,7 @@ static void reserve_values(struct weights *weights, size_t room) {
 
 static size_t longest_row(const struct weights *weights) {
     size_t longest = 0;
+#pragma omp parallel for schedule(static) reduction(max : longest)
     for (size_t row = 0; row < weights->rows; row++)
         longest = weights->start[row + 1] - weights->start[row] > longest
                       ? weights->start[row + 1] - weights->start[row]
@@ -275,8 +268,8 @@ void weights_rows(struct weights *weights, const struct weights_input *input,
 #pragma omp parallel for schedule(static)
     for (size_t row = 0; row < weights->rows; row++)
         row_count(&build, row);
-    sum_up(weights->start, weights->rows);
-    sum_up(weights->wall_start, weights->rows);
+    scan_sizes(weights->start, weights->rows, weights->start);
+    scan_sizes(weights->wall_start, weights->rows, weights->wall_start);
     reserve_entries(weights);
 #pragma omp parallel for schedule(static)
     for (size_t row = 0; row < weights->rows; row++) {
