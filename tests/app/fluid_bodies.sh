@@ -65,6 +65,11 @@ balance() { # SCENE POROSITY WITHIN: the force on the body is that on the fluid;
         within "$(last_of "$1.1" body_viscous_x)" "$(awk -v f="$(last_of "$1.1" body_x)" -v p="$(last_of "$1.1" body_pressure_x)" 'BEGIN { printf "%.12g", f - p }')" 1e-9
 }
 check "a cube from a mesh" balance cube 0.936 0.02
+felt() { # its surface is that of the field: flat where the faces are
+    local viscous=$(last_of cube.1 body_viscous_x)
+    run 1 cube --set 'walls[0].field=true' && within "$(last_of cube.1 body_viscous_x)" "$viscous" 1e-4
+}
+check "a cube that is felt by a field" felt
 check "a cylinder with ends" balance capped 0.9497 0.01
 
 # Flow between an inlet and an outlet, and between two pressures, is Poiseuille's; drop = 12 mu U L / H^2

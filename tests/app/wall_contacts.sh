@@ -186,6 +186,14 @@ check 'the same bits on any layout' layouts
 check 'a resume gives the same bits' many_resumes 1
 check 'a resume on 2 ranks gives the same bits' many_resumes 2
 
+# A stage lets a free plate fall on a floor through which it goes before
+caught() {
+    sed 's/^step: .*/step: {dt: 2.5e-4}/; /^wall_contacts/d; s/every: 8000/every: 400/' plate.yaml >caught.yaml
+    echo 'stages: [{name: goes, duration: 0.1}, {name: caught, duration: 1.9, set: {"walls[floor].point": [0, 0, -0.5], wall_contacts: {rounding: 0.05, pairs: [{walls: [plate, floor]}]}}}, {name: rests, duration: 0.1, set: {wall_contacts.pairs: [{walls: [floor, plate]}]}}]' >>caught.yaml
+    rm -rf caught && run_scene 1 caught.yaml caught && within "$(column caught plate_z)" "$(awk -v s="$sunk" 'BEGIN { printf "%.9g", -0.52 - s }')" 2e-6
+}
+check 'a stage lets walls touch' caught
+
 pairs() { echo "wall_contacts={rounding: 0.05, pairs: [$1]}"; }
 more() { echo "walls=[{name: floor, shape: plane, point: [0, 0, 0], normal: [0, 0, 1]}, {name: plate, shape: box, lower: [1, 1, 0.02], upper: [3, 2, 0.22], free: {mass: 4}}, $1]"; }
 check 'one wall alone' scene_refused 'wall_contacts.pairs[0].walls|names of two walls' plate.yaml --set "$(pairs '{walls: [plate]}')"

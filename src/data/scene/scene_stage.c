@@ -12,6 +12,7 @@
 /* Full keys that a stage may set, with all below them. */
 static const char *const may_change[] = {"gravity",
                                          "walls",
+                                         "wall_contacts",
                                          "groups",
                                          "materials",
                                          "material_pairs",

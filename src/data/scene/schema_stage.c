@@ -42,7 +42,7 @@ static const struct schema_row stage_rows[] = {
      .help = "steps between two looks at the observables of `until`"},
     {.key = "set", .type = SCHEMA_KEYS, AT(struct scene_stage, set),
      .help = "changes of the scene from this stage on, as with --set: full keys, elements of lists by number or name, ~ takes out; "
-             "not in the first stage, which is the scene itself. Gravity, walls, motions of groups, materials' coefficients, "
+             "not in the first stage, which is the scene itself. Gravity, walls and their contacts, motions of groups, materials' coefficients, "
              "insertions, deletions, the motion of the box, walls of heat, guards, the step, and the intervals of output may change",
      .example = "{gravity: [0, 0, -1.6], \"walls[gate]\": ~}"},
 };

@@ -1,12 +1,14 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* Contacts of walls as a physics: checks of the section, the passes of the step, the hooks of the engine. Read blocks.h first. */
 #include "physics/blocks/blocks_state.h"
+#include "base/checksum.h"
 #include "base/memory.h"
 #include "engine/physics_set.h"
 #include "engine/trip.h"
 #include "physics/grains/grains.h"
-#include <math.h>
+#include <inttypes.h>
 #include <stdio.h>
+#include <string.h>
 
 /* Laws that know spheres alone, as for rocks. */
 static bool check_law(const struct physics_context *context, struct error *error) {
@@ -111,13 +113,20 @@ static void guard(const struct physics_context *context, struct error *error) {
     }
 }
 
+/* A number for the names of a pair: a resume, or a stage, may have other pairs. */
+static uint64_t key_of(const struct scene *scene, const struct blocks_pair *pair) {
+    const char *first = scene->wall[pair->wall[0]].name, *second = scene->wall[pair->wall[1]].name;
+    return checksum_row(checksum_row(0, first, strlen(first)), second, strlen(second));
+}
+
 static void restart(const struct physics_context *context, struct restart *list) {
     struct blocks *blocks = context->self;
     for (int p = 0; p < blocks->pairs; p++) {
         struct blocks_pair *pair = &blocks->pair[p];
-        restart_add(list, RESTART_REAL, true, &pair->points, "wall contact %d", p);
+        const uint64_t key = key_of(context->scene, pair);
+        restart_add(list, RESTART_REAL, true, &pair->points, "walls %016" PRIx64, key);
         for (int k = 0; k < TOUCH_POINTS_MAX * BLOCKS_NUMBERS; k++)
-            restart_add(list, RESTART_REAL, true, &pair->point[0].key + k, "wall contact %d: %d", p, k);
+            restart_add(list, RESTART_REAL, true, &pair->point[0].key + k, "walls %016" PRIx64 " %d", key, k);
     }
 }
 
