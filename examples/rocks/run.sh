@@ -3,7 +3,7 @@
 # Rocks in a drum and in a hopper: run.sh [--quick] [-o DIR] [NAME...], NAME one of drum, hopper, angles, solver. Draws DIR/drum.png and DIR/hopper.png; writes
 # DIR/angles.tsv, the slope of cubes in the drum, a row for each roundness: roundness, angle in degrees; the last row is of spheres.
 # solver (not among the usual ones): the drum by contact.solver beside explicit springs, soft as in drum.yaml and as stiff as wood; DIR/solver.tsv has the step, steps and
-# seconds on one thread for a second of the drum, the slope, the largest overlap over the radius of the ball.
+# seconds of the processor for a second of the drum, the slope, the largest overlap over the radius of the ball.
 # --quick: seconds instead of minutes, as the tests do; it draws nothing. Further settings by SCREE_ARGS, ranks by SCREE_RANKS.
 set -e
 here=$(cd "$(dirname "$0")" && pwd)
@@ -46,16 +46,24 @@ angle() { # NAME ROUNDNESS
         END { for (k = int(NR / 2) + 1; k <= NR; k++) { s += a[k]; n++ } s *= 45 / atan2(1, 1) / n; printf "%s\t%.1f\n", name, s < 0 ? -s : s }' >>"$out/angles.tsv"
 }
 
+# spend: sets `spent`, the seconds of the processor that the children of this shell have used
+spend() {
+    times >"$out/times"
+    spent=$(awk 'NR == 2 { for (k = 1; k <= 2; k++) { split($k, part, "[ms]"); sum += 60 * part[1] + part[2] } print sum }' "$out/times")
+}
+
 # cost NAME DURATION [FLAG...]: a row of solver.tsv
 cost() {
     name=$1
     duration=$2
     shift 2
+    spend
+    before=$spent
     run "drum-$name" drum --set duration="$duration" --set threads=1 "$@"
-    seconds=$("$SCREE" info "$out/drum-$name/report.json" --get seconds)
+    spend
     steps=$("$SCREE" info "$out/drum-$name/report.json" --get steps)
     dt=$("$SCREE" info "$out/drum-$name/report.json" --get dt)
-    awk -v name="$name" -v seconds="$seconds" -v steps="$steps" -v dt="$dt" \
+    awk -v name="$name" -v seconds="$(awk -v now="$spent" -v before="$before" 'BEGIN { print now - before }')" -v steps="$steps" -v dt="$dt" \
         'BEGIN { printf "%s\t%.3g\t%.4g\t%.3g\t", name, dt, 1 / dt, seconds / (steps * dt) }' >>"$out/solver.tsv"
     awk -F, 'NR == 1 { for (k = 1; k <= NF; k++) { sub(/\[.*/, "", $k); at[$k] = k } next }
         { a[NR] = atan2($at["centre_x"], -$at["centre_z"]); if ($at["overlap_max"] > most) most = $at["overlap_max"] }
