@@ -40,7 +40,15 @@ drop() { # RANKS
 check "the drop of a bed between open sides is the law's" drop 1
 check "the drop of a bed between open sides is the law's, on 3 ranks" drop 3
 
-# No slip of time steps: the same drop with steps of the gas in which drag would take its momentum several times
+# Walls beside the bed, five spacings apart: the gradient of the pressure is whole there, so the drop is the force on the grains
+walled() {
+    local walls='[{name: a, shape: plane, point: [0, 0, 0], normal: [1, 0, 0]}, {name: b, shape: plane, point: [30 mm, 0, 0], normal: [-1, 0, 0]}, {name: c, shape: plane, point: [0, 0, 0], normal: [0, 1, 0]}, {name: d, shape: plane, point: [0, 30 mm, 0], normal: [0, -1, 0]}]'
+    run_scene 1 bed.yaml walled --overwrite --set threads=1 --set box.periodic=false --set "walls=$walls" --set fluid.walls='{velocity: slip, slip_length: 1 m}' &&
+        tail -n 1 walled/observables.csv | awk -F , '{ printf "  drop %g Pa, force on the grains over the section %g Pa\n", $2, $3 / 9e-4; exit !($2 / $3 * 9e-4 > 0.98 && $2 / $3 * 9e-4 < 1.02) }'
+}
+check "the drop of a bed between walls is the force on its grains" walled
+
+# The same drop with steps of the gas in which drag would take its momentum several times
 long() { run_scene 1 bed.yaml long --overwrite --set threads=1 --set step.dt='5 ms' --set step.force=true --set fluid.equations=stokes && within "$(last_of long pressure_drop_z)" "$(last_of bed pressure_drop_z)" 0.2; }
 check "steps that are long for drag" long
 

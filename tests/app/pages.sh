@@ -130,6 +130,7 @@ docs/view.md                     it waits for a page, or takes a port that may n
 docs/packaging/README.md         it builds packages; make deb
 examples/columns/README.md       an hour; tests/app/benchmarks.sh
 examples/dosta2024/README.md     hours; tests/app/benchmarks.sh
+examples/fluidised_bed/README.md its two beds take hours; tests/app/scenes.sh, tests/app/gas.sh
 examples/library/README.md       tests/app/library.sh
 examples/verify/README.md        tests/app/verify.sh
 EOS

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* What the gradient of a pressure, and the divergence of a flow, lack beside walls and grains, for flows between open sides: steady ones, and
- * in time those between grains or within meshes.
+ * in time those between grains or within meshes, and those that unresolved grains share.
  *
  * A pressure goes on evenly behind a body, so that a particle beside it sees of a linear pressure the part
  *

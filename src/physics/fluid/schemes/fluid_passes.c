@@ -125,9 +125,9 @@ static int regions_of(const struct physics_context *context, const struct fluid 
 }
 
 /* True if the operators are those of gradient_correction.h: in a steady flow, and in time between grains or within meshes (planes and cylinders are large against the
- * spacing, and plain operators more accurate there). */
+ * spacing, and plain operators more accurate there), and where grains are averaged: the drop of a bed a few spacings wide is along walls. */
 static bool whole_wanted(const struct fluid *fluid) {
-    return fluid->options->time == FLUID_STEADY || fluid->rows[3] > 0;
+    return fluid->options->time == FLUID_STEADY || fluid->rows[3] > 0 || unresolved_averaged(fluid->options);
 }
 
 void fluid_passes_rebuilt(const struct physics_context *context) {
