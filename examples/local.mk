@@ -59,7 +59,8 @@ nobase_dist_pkgdata_DATA = \
 	%D%/penetration/scene.yaml %D%/penetration/walls.txt %D%/pores.head.md %D%/pupcs/README.md \
 	%D%/pupcs/dense/scene.yaml %D%/pupcs/large/scene.yaml %D%/pupcs/sizes.gp %D%/pupcs/sparse/scene.yaml \
 	%D%/repose/README.md %D%/repose/last.awk %D%/repose/picture.gp %D%/repose/scene.yaml %D%/repose/slope.awk \
-	%D%/rocks/README.md %D%/rocks/drum.yaml %D%/rocks/hopper.yaml %D%/scaling/README.md %D%/scaling/boulders.awk \
+	%D%/rock_packing/README.md %D%/rock_packing/published.txt %D%/rock_packing/scene.yaml \
+	%D%/rock_packing/shapes.awk %D%/rocks/README.md %D%/rocks/drum.yaml %D%/rocks/hopper.yaml %D%/scaling/README.md %D%/scaling/boulders.awk \
 	%D%/scaling/boulders.yaml %D%/scaling/figures.awk %D%/scaling/hybrid.gp %D%/scaling/job.slurm \
 	%D%/scaling/lines.awk %D%/scaling/model.awk %D%/scaling/model.gp %D%/scaling/ranks.gp %D%/scaling/scene.yaml \
 	%D%/scaling/speed.gp %D%/scaling/tables.awk %D%/scour/README.md %D%/scour/onset.yaml %D%/scour/picture.gp \
@@ -89,7 +90,8 @@ nobase_dist_pkgdata_SCRIPTS = \
 	%D%/hard/run.sh %D%/heated_drum/check %D%/heated_drum/run.sh %D%/lammps/check %D%/lammps/make.sh \
 	%D%/paddle_wheel/check %D%/paddle_wheel/run.sh %D%/penetration/check %D%/penetration/lammps/run.sh \
 	%D%/penetration/layouts %D%/penetration/run.sh %D%/pores.sh %D%/pupcs/run.sh %D%/pupcs/sizes.sh \
-	%D%/repose/check %D%/repose/run.sh %D%/rocks/check %D%/rocks/run.sh %D%/scaling/ghosts.sh \
+	%D%/repose/check %D%/repose/run.sh %D%/rock_packing/check %D%/rock_packing/run.sh \
+	%D%/rocks/check %D%/rocks/run.sh %D%/scaling/ghosts.sh \
 	%D%/scaling/page.sh %D%/scaling/run.sh %D%/scour/check %D%/scour/run.sh %D%/settling/check \
 	%D%/settling/run.sh %D%/settling/section.sh %D%/shear_cell/check %D%/shear_cell/run.sh %D%/solver/run.sh \
 	%D%/speed-error.sh %D%/sphere_array/check %D%/sphere_array/run.sh %D%/step-fraction.sh \
