@@ -129,6 +129,7 @@ check 'clumps in two dimensions' flat
 
 # The examples, small and short
 check 'rocks in a drum, a hopper and a heap' env OMP_NUM_THREADS=1 SCREE="$scree" "$top_srcdir/examples/rocks/check" --quick "$out/examples"
+check 'packings of cubes and tetrahedra under a pressure' env OMP_NUM_THREADS=1 SCREE="$scree" "$top_srcdir/examples/rock_packing/check" --quick "$out/packings"
 
 # Messages
 wrong() { # TEXT SETTING...
