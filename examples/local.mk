@@ -52,7 +52,7 @@ nobase_dist_pkgdata_DATA = \
 	%D%/lammps/granular-0.dump.gz %D%/lammps/granular.data.gz %D%/lammps/granular.yaml %D%/lammps/pour-0.dump.gz \
 	%D%/lammps/pour-100.dump.gz %D%/lammps/pour.2d-0.dump.gz %D%/lammps/pour.2d-100.dump.gz \
 	%D%/lammps/pour.2d.data.gz %D%/lammps/pour.2d.yaml %D%/lammps/pour.data.gz %D%/lammps/pour.yaml \
-	%D%/library/README.md %D%/library/search.c %D%/library/simulation.c %D%/paddle_wheel/README.md \
+	%D%/library/README.md %D%/library/search.c %D%/library/simulation.c %D%/mixer/README.md %D%/mixer/picture.gp %D%/mixer/scene.yaml %D%/paddle_wheel/README.md \
 	%D%/paddle_wheel/scene.yaml %D%/paddle_wheel/wheel.txt %D%/penetration/README.md %D%/penetration/compare.awk \
 	%D%/penetration/depth.gp %D%/penetration/lammps.csv %D%/penetration/lammps/data.awk \
 	%D%/penetration/lammps/in.penetration %D%/penetration/lammps/tsuji.awk %D%/penetration/particles.txt.gz \
@@ -87,7 +87,7 @@ nobase_dist_pkgdata_SCRIPTS = \
 	%D%/fluid_scaling/run.sh %D%/fluid_scaling/section.sh %D%/fluidised_bed/check %D%/fluidised_bed/run.sh \
 	%D%/fluidised_bed/section.sh %D%/gallery/check %D%/gallery/run.sh %D%/gate/check %D%/gate/run.sh \
 	%D%/hard/run.sh %D%/heated_drum/check %D%/heated_drum/run.sh %D%/lammps/check %D%/lammps/make.sh \
-	%D%/paddle_wheel/check %D%/paddle_wheel/run.sh %D%/penetration/check %D%/penetration/lammps/run.sh \
+	%D%/mixer/check %D%/mixer/run.sh %D%/paddle_wheel/check %D%/paddle_wheel/run.sh %D%/penetration/check %D%/penetration/lammps/run.sh \
 	%D%/penetration/layouts %D%/penetration/run.sh %D%/pores.sh %D%/pupcs/run.sh %D%/pupcs/sizes.sh \
 	%D%/repose/check %D%/repose/run.sh %D%/rocks/check %D%/rocks/run.sh %D%/scaling/ghosts.sh \
 	%D%/scaling/page.sh %D%/scaling/run.sh %D%/scour/check %D%/scour/run.sh %D%/settling/check \
