@@ -1,5 +1,5 @@
 # The drum, the blade, the grains and the dye at four times; variable: out
-set terminal pngcairo size 900,860 font "sans,11"
+set terminal pngcairo size 640,612 font "sans,9"
 set output out . "mixer.png"
 set palette defined (0 "#f4f1de", 0.5 "#81b29a", 1 "#1f4e79")
 set cbrange [0:1]
@@ -23,7 +23,7 @@ do for [k = 0:3] {
         40 + 30 * u - 2.5 * v, 40 + 30 * v + 2.5 * u to 40 - 30 * u - 2.5 * v, 40 - 30 * v + 2.5 * u to 40 - 30 * u + 2.5 * v, 40 - 30 * v - 2.5 * u \
         fs solid 1 border lc rgb "black" fc rgb "#666666" front
     set object 2 circle at 40,40 size 38 fs empty border lc rgb "black" lw 2 front
-    plot out . "dye-" . frame . ".txt" using 1:2:3 with points pt 5 ps 1.05 palette, \
+    plot out . "dye-" . frame . ".txt" using 1:2:3 with points pt 5 ps 0.72 palette, \
         out . "discs-" . frame . ".txt" using 1:2:3 with circles fs solid 1 border lc rgb "black" fc rgb "#e07a5f"
 }
 unset multiplot
