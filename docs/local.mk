@@ -12,7 +12,7 @@ EXTRA_DIST += \
 	%D%/images/gallery-hopper-plot.png %D%/images/gallery-hopper.png %D%/images/gallery-pouring-plot.png \
 	%D%/images/gallery-pouring.png %D%/images/gallery-shear_cell-plot.png %D%/images/gallery-shear_cell.png \
 	%D%/images/gallery-sieve-plot.png %D%/images/gallery-sieve.png %D%/images/gate.png \
-	%D%/images/heated-drum.png %D%/images/paddle_wheel.png %D%/images/penetration.png \
+	%D%/images/heated-drum.png %D%/images/mixer.png %D%/images/paddle_wheel.png %D%/images/penetration.png \
 	%D%/images/performance-auto.svg %D%/images/performance-cells.svg %D%/images/performance-continuous.svg \
 	%D%/images/performance-growth.svg %D%/images/performance-optimum.svg %D%/images/performance-roofline.svg \
 	%D%/images/performance-univol.svg %D%/images/picture-drum.png %D%/images/report-ablation.png \

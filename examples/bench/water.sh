@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: BSD-3-Clause
-# What grains cost that the fluid moves, with `coupling: rigid` and with `coupling: mirror`: water.sh [--quick] [--counts | --ranks]
+# What grains cost that the fluid moves, with `coupling: rigid` and with `coupling: mirror`: water.sh [--quick] [--counts | --ranks | --large]
 #
 # Spheres of eight spacings fall in a periodic box of 16 spacings a sphere (a fifteenth of the volume), eight of them in 32,768 nodes of the fluid's lattice. Both couplings run in turns,
 # PAIRS (5) times, rigid first in one pair and mirror in the next, so that other work on the machine meets both. One JSON line a run:
@@ -15,24 +15,27 @@
 #
 # --counts   instructions a particle and step, by valgrind, from runs of two and of four steps: other work on the machine does not change these
 # --ranks    iterations, solves and the bytes that the first rank sent, of `rigid`, on 1, 2, 4 and 8 ranks (RANKS)
+# --large    `rigid` alone, on two ranks (RANKS): 2,016 spheres of six spacings, 0.22 of the volume, in 1,032,192 nodes; three steps (STEPS); wants 6 GB. One more number: seconds a step
 # --quick    one sphere, 4,096 nodes, two pairs. STEPS (8), SCREE, WORK may be set.
 set -eu -o pipefail
 here=$(cd "$(dirname "$0")" && pwd)
 . "$here/bench.sh"
 export LC_ALL=C OMP_WAIT_POLICY=passive OMP_NUM_THREADS=1
-usage='water.sh [--quick] [--counts | --ranks]'
+usage='water.sh [--quick] [--counts | --ranks | --large]'
 quick= mode=turns
 for argument; do
     case $argument in
     --quick) quick=yes ;;
     --counts) mode=counts ;;
     --ranks) mode=ranks ;;
+    --large) mode=large ;;
     *) wrong_call ;;
     esac
 done
 cells=$(by_mode 1 2)
 steps=${STEPS:-8}
 side=$((16 * cells))
+edges="$side, $side, $side" apart=16 size=4 force=0.0019635 # of the box; of the spheres; what holds them
 
 # run COUPLING RANKS STEPS [COMMAND...]: into WORK/water.COUPLING; the command stands before the program
 run() {
@@ -42,19 +45,19 @@ run() {
     cat >"$work/water.yaml" <<YAML
 units: none
 threads: 1
-box: {lower: [0, 0, 0], upper: [$side, $side, $side], periodic: true}
+box: {lower: [0, 0, 0], upper: [$edges], periodic: true}
 gravity: [0, 0, -0.02]
 contact: {law: hertz}
 materials: [{name: glass, density: 2.5, young: 100, poisson: 0.3}]
 material_pairs: [{restitution: 0.5, friction: 0.3}]
-particles: {from: lattice, lattice: sc, spacing: 16, sizes: 4}
+particles: {from: lattice, lattice: sc, spacing: $apart, sizes: $size}
 fluid:
   spacing: 1
   density: 1
   viscosity: 0.2
   motion: $motion
   grains: {motion: free, coupling: $coupling}
-  drive: {body_force: [0, 0, 0.0019635]}
+  drive: {body_force: [0, 0, $force]}
 step: {dt: 0.5, count: $count}
 observables: {every: 1000000, list: [{name: fluid_speed}]}
 output: {checkpoint: {at_end: false}}
@@ -108,6 +111,13 @@ counts() {
 
 case $mode in
 turns) turns ;;
+large)
+    edges='96, 96, 112' apart=8 size=3 force=0.0066268 steps=${STEPS:-3} ranks=${RANKS:-2}
+    [ -z "$quick" ] || edges='32, 32, 32'
+    run rigid "$ranks" "$steps"
+    line rigid "$ranks" "$steps" | awk -v ranks="$ranks" '{ match($0, /"particles": [0-9]+/); n = substr($0, RSTART + 13, RLENGTH - 13); match($0, /"sum": [0-9]+/); ns = substr($0, RSTART + 7, RLENGTH - 7)
+        sub(/}$/, sprintf(", \"seconds_per_step\": %.3g}", 1e-9 * ns * n / ranks)); print }'
+    ;;
 counts) counts ;;
 ranks)
     for ranks in ${RANKS:-$(by_mode "1 2" "1 2 4 8")}; do

@@ -136,4 +136,5 @@ check "a free wall" scene_refused 'walls[1].free|bodies' stir.yaml --set 'walls[
 # A cylinder that turns about its axis alone keeps its mirrors
 mirrored() { ! "$scree" check --all stir.yaml --set 'walls[2].motion=[{kind: rotate, direction: [0, 0, 2], point: [24, 38, 1], rate: 1}]' | grep "wall 'rod' moves through"; }
 check "a rod that turns about its axis bounds the fluid" mirrored
+check "a blade stirs water, grains and a dye" env SCREE="$scree" SCREE_ARGS='--set threads=1' sh "$top_srcdir/examples/mixer/check" "$out/mixer"
 finish
