@@ -68,13 +68,14 @@ nobase_dist_pkgdata_DATA = \
 	%D%/repose/picture.gp %D%/repose/scene.yaml %D%/repose/slope.awk %D%/rock_packing/README.md \
 	%D%/rock_packing/published.txt %D%/rock_packing/scene.yaml %D%/rock_packing/shapes.awk \
 	%D%/rocks/README.md %D%/rocks/drum.yaml %D%/rocks/hopper.yaml %D%/scaling/README.md \
-	%D%/scaling/boulders.awk %D%/scaling/boulders.yaml %D%/scaling/figures.awk %D%/scaling/hybrid.gp \
-	%D%/scaling/job.slurm %D%/scaling/lines.awk %D%/scaling/model.awk %D%/scaling/model.gp \
-	%D%/scaling/ranks.gp %D%/scaling/scene.yaml %D%/scaling/speed.gp %D%/scaling/tables.awk \
-	%D%/scour/README.md %D%/scour/onset.yaml %D%/scour/picture.gp %D%/scour/scene.yaml \
-	%D%/scour/stream.txt %D%/settling/README.md %D%/settling/liquids.txt %D%/settling/picture.gp \
-	%D%/settling/scene.yaml %D%/shear_cell/README.md %D%/shear_cell/scene.yaml %D%/solver/README.md \
-	%D%/solver/bed.yaml %D%/solver/collapse.yaml %D%/sphere_array/README.md %D%/sphere_array/scene.yaml \
+	%D%/scaling/bed.yaml %D%/scaling/boulders.awk %D%/scaling/boulders.yaml %D%/scaling/counts.awk \
+	%D%/scaling/counts_section.awk %D%/scaling/figures.awk %D%/scaling/hybrid.gp %D%/scaling/job.slurm \
+	%D%/scaling/lines.awk %D%/scaling/model.awk %D%/scaling/model.gp %D%/scaling/ranks.gp \
+	%D%/scaling/scene.yaml %D%/scaling/speed.gp %D%/scaling/tables.awk %D%/scour/README.md \
+	%D%/scour/onset.yaml %D%/scour/picture.gp %D%/scour/scene.yaml %D%/scour/stream.txt \
+	%D%/settling/README.md %D%/settling/liquids.txt %D%/settling/picture.gp %D%/settling/scene.yaml \
+	%D%/shear_cell/README.md %D%/shear_cell/scene.yaml %D%/solver/README.md %D%/solver/bed.yaml \
+	%D%/solver/collapse.yaml %D%/sphere_array/README.md %D%/sphere_array/scene.yaml \
 	%D%/taylor_green/README.md %D%/taylor_green/scene.yaml %D%/tumbling/README.md %D%/tumbling/picture.gp \
 	%D%/tumbling/scene.yaml %D%/two_sizes/README.md %D%/two_sizes/picture.gp %D%/two_sizes/scene.yaml \
 	%D%/water_bed/README.md %D%/water_bed/picture.gp %D%/water_bed/scene.yaml %D%/wet_pile/README.md \
@@ -101,10 +102,10 @@ nobase_dist_pkgdata_SCRIPTS = \
 	%D%/paddle_wheel/check %D%/paddle_wheel/run.sh %D%/penetration/check %D%/penetration/lammps/run.sh \
 	%D%/penetration/layouts %D%/penetration/run.sh %D%/pores.sh %D%/pupcs/run.sh %D%/pupcs/sizes.sh \
 	%D%/repose/check %D%/repose/run.sh %D%/rock_packing/check %D%/rock_packing/run.sh %D%/rocks/check \
-	%D%/rocks/run.sh %D%/scaling/ghosts.sh %D%/scaling/page.sh %D%/scaling/run.sh %D%/scour/check \
-	%D%/scour/run.sh %D%/settling/check %D%/settling/run.sh %D%/settling/section.sh %D%/shear_cell/check \
-	%D%/shear_cell/run.sh %D%/solver/run.sh %D%/speed-error.sh %D%/sphere_array/check \
-	%D%/sphere_array/run.sh %D%/step-fraction.sh %D%/taylor_green/check %D%/taylor_green/run.sh \
-	%D%/tumbling/check %D%/tumbling/run.sh %D%/tumbling/section.sh %D%/two_sizes/check \
-	%D%/two_sizes/run.sh %D%/water_bed/check %D%/water_bed/run.sh %D%/wet_pile/check %D%/wet_pile/run.sh \
-	%D%/yade/run.sh
+	%D%/rocks/run.sh %D%/scaling/counts.sh %D%/scaling/ghosts.sh %D%/scaling/page.sh %D%/scaling/run.sh \
+	%D%/scour/check %D%/scour/run.sh %D%/settling/check %D%/settling/run.sh %D%/settling/section.sh \
+	%D%/shear_cell/check %D%/shear_cell/run.sh %D%/solver/run.sh %D%/speed-error.sh \
+	%D%/sphere_array/check %D%/sphere_array/run.sh %D%/step-fraction.sh %D%/taylor_green/check \
+	%D%/taylor_green/run.sh %D%/tumbling/check %D%/tumbling/run.sh %D%/tumbling/section.sh \
+	%D%/two_sizes/check %D%/two_sizes/run.sh %D%/water_bed/check %D%/water_bed/run.sh %D%/wet_pile/check \
+	%D%/wet_pile/run.sh %D%/yade/run.sh

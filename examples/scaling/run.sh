@@ -8,6 +8,7 @@
 #   hybrid   the bidisperse benchmark with R = 10 on 1x1, 1xN and Nx1 (N: CORES), stage by stage
 #   ranks    messages, bytes, copies and memory of a rank on 8 ... 125 ranks (RANKS, edges of cubes of ranks: "2 3 4 5"), as
 #            bricks and by bisection, and with boulders that reach beyond neighbours on 27 ... 108
+#   counts   instructions, barriers, messages, bytes and memory of 1 to 64 threads and of 1 to 64 ranks (counts.sh; needs valgrind)
 #   ghosts   full and reduced ghosts against geometry on 8 ranks (ghosts.sh)
 #   pupcs    the scenarios of examples/pupcs, and the size of the largest particle there
 #   lengths  what has the length of the rank count, made up to 10^6 ranks on one: bench_ranks (make tests/mpi/bench_ranks)
@@ -31,14 +32,14 @@ if [ "${1:-}" = --quick ]; then
 fi
 case ${1:-} in
 -*)
-    sed -n '3,21s/^# \{0,1\}//p' "$0"
+    sed -n '3,22s/^# \{0,1\}//p' "$0"
     [ "$1" = --help ]
     exit
     ;;
 esac
 out=${1:-$(results out)}
 [ $# = 0 ] || shift
-[ $# != 0 ] || set -- weak strong hybrid ranks ghosts pupcs lengths page
+[ $# != 0 ] || set -- weak strong hybrid ranks counts ghosts pupcs lengths page
 mkdir -p "$out"
 out=$(cd "$out" && pwd)
 
@@ -163,6 +164,10 @@ run_ghosts() {
     SCREE=$SCREE RATIOS=${quick:+10} LARGE=${quick:+20} SMALL=${quick:+20000} "$here/ghosts.sh" "$out"
 }
 
+run_counts() {
+    SCREE=$SCREE THREADS=${quick:+1 2} RANKS=${quick:+1 2} SCENES=${quick:+gas} "$here/counts.sh" "$out"
+}
+
 run_pupcs() {
     SCREE=$SCREE RUNS=$runs STEPS=${quick:+20} "$here/../pupcs/run.sh" "$out/pupcs" ${quick:+1x1}
     # shellcheck disable=SC2086
@@ -181,17 +186,18 @@ run_page() {
     documents=$examples/../docs
     kept=$documents/results/scaling
     [ -w "$documents" ] || documents=$out
-    parts="ghosts/lines.jsonl ghosts/section.md weak.jsonl strong.jsonl hybrid.jsonl ranks.jsonl lengths.jsonl pupcs/lines.jsonl pupcs/section.md pupcs/sizes.jsonl pupcs/sizes.md"
-    mkdir -p "$out/pupcs" "$out/ghosts"
+    parts="counts/lines.jsonl counts/section.md ghosts/lines.jsonl ghosts/section.md weak.jsonl strong.jsonl hybrid.jsonl ranks.jsonl lengths.jsonl pupcs/lines.jsonl pupcs/section.md pupcs/sizes.jsonl pupcs/sizes.md"
+    mkdir -p "$out/pupcs" "$out/ghosts" "$out/counts"
     for part in $parts; do
         if [ ! -s "$out/$part" ] && [ -s "$kept/$part" ]; then cp "$kept/$part" "$out/$part"; fi
+        case $part in counts/*) [ -s "$out/$part" ] || continue ;; esac # the page can do without
         if [ ! -s "$out/$part" ] || [ -e "$out/${part%/*}.quick" ] || [ -e "$out/${part%.*}.quick" ]; then documents=$out; fi
     done
     "$here/page.sh" "$out" "$documents" >&2
     [ "$documents" != "$out" ] || return 0
-    mkdir -p "$kept/pupcs" "$kept/ghosts"
+    mkdir -p "$kept/pupcs" "$kept/ghosts" "$kept/counts"
     for part in $parts; do
-        cp "$out/$part" "$kept/$part"
+        if [ -s "$out/$part" ]; then cp "$out/$part" "$kept/$part"; fi
     done
 }
 
@@ -203,7 +209,7 @@ for part in "$@"; do
         [ -z "$quick" ] || : >"$out/$part.quick"
         "run_$part"
         ;;
-    ghosts | pupcs)
+    counts | ghosts | pupcs)
         mkdir -p "$out/$part"
         rm -f "$out/$part.quick"
         [ -z "$quick" ] || : >"$out/$part.quick"
@@ -211,7 +217,7 @@ for part in "$@"; do
         ;;
     page) run_page ;;
     *)
-        echo "no part '$part'; there are: weak strong hybrid ranks ghosts pupcs lengths page" >&2
+        echo "no part '$part'; there are: weak strong hybrid ranks counts ghosts pupcs lengths page" >&2
         exit 2
         ;;
     esac

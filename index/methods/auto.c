@@ -20,7 +20,7 @@
 /* Variants that cost more than the choice by this factor are not timed. */
 static const double TRIED_WITHIN = 1.15;
 
-enum { VARIANTS = 4, SAMPLE = 16384, ACROSS_MAX = 16, STEPS_A_DOUBLING = 8 };
+enum { VARIANTS = 4, SAMPLE = 16384, ACROSS_MAX = 16, STEPS_A_DOUBLING = 8, TEAM_LEAST = 4096 };
 
 struct auto_index {
     struct index base;
@@ -46,6 +46,24 @@ static double in_steps(double value) {
     return value > 0 ? exp2(round(log2(value) * STEPS_A_DOUBLING) / STEPS_A_DOUBLING) : 0;
 }
 
+/* Threads that look at the particles. */
+static int team(const struct index_view *view) {
+    return view->owned > TEAM_LEAST ? view->threads : 1;
+}
+
+/* Least and largest coordinate in direction d of each step-th owned particle. */
+static void extent(const struct index_view *view, size_t step, int d, double *low, double *high) {
+    double least = INFINITY, most = -INFINITY;
+#pragma omp parallel for num_threads(team(view)) reduction(min : least) reduction(max : most)
+    for (size_t k = 0; k < view->owned; k += step) {
+        const double x = view->position[k * view->stride + (size_t)d];
+        least = x < least ? x : least;
+        most = x > most ? x : most;
+    }
+    *low = least;
+    *high = most;
+}
+
 /* The occupied part of the space around the owned particles, from a sample. Directions of no extent count as
  * one cut-off wide. */
 static double occupied(const struct index_view *view, double cutoff) {
@@ -53,27 +71,29 @@ static double occupied(const struct index_view *view, double cutoff) {
     size_t step = view->owned / SAMPLE + 1, sampled = view->owned / step;
     int across = (int)cbrt((double)sampled / 16);
     across = across < 1 ? 1 : across > ACROSS_MAX ? ACROSS_MAX : across;
-    bool taken[ACROSS_MAX * ACROSS_MAX * ACROSS_MAX] = {false};
+    uint8_t taken[ACROSS_MAX * ACROSS_MAX * ACROSS_MAX] = {0};
     for (int d = 0; d < 3; d++) {
-        low[d] = view->periodic[d] ? 0 : INFINITY;
-        high[d] = view->periodic[d] ? view->edge[d] : -INFINITY;
-        for (size_t k = 0; k < view->owned && !view->periodic[d]; k += step) {
-            double x = view->position[k * view->stride + (size_t)d];
-            low[d] = fmin(low[d], x);
-            high[d] = fmax(high[d], x);
+        low[d] = 0;
+        high[d] = view->edge[d];
+        if (!view->periodic[d]) {
+            extent(view, step, d, &low[d], &high[d]);
         }
         high[d] = fmin(fmax(high[d], low[d] + cutoff), low[d] + 1e12 * cutoff);
         volume *= d < view->dimension ? high[d] - low[d] : 1;
     }
     int cells = 0;
+#pragma omp parallel for num_threads(team(view))
     for (size_t k = 0; k < view->owned; k += step) {
         int cell = 0;
         for (int d = 0; d < view->dimension; d++) {
             double t = (view->position[k * view->stride + (size_t)d] - low[d]) / (high[d] - low[d]) * across;
             cell = cell * across + (t > 0 ? t < across ? (int)t : across - 1 : 0);
         }
-        cells += !taken[cell];
-        taken[cell] = true;
+#pragma omp atomic write
+        taken[cell] = 1;
+    }
+    for (int c = 0; c < ACROSS_MAX * ACROSS_MAX * ACROSS_MAX; c++) {
+        cells += taken[c];
     }
     return volume * cells / pow(across, view->dimension);
 }
