@@ -115,4 +115,38 @@ refused() { # TEXT SETTING...
 }
 full() { run_scene 1 cloud.yaml full --overwrite --set threads=1 --set 'particles={from: single, position: [15 mm, 15 mm, 15 mm], radius: 2 mm}' --set 'drag={law: schiller_naumann}' --set fluid.spacing='2 mm' >told 2>&1; grep -q 'grains take .* of the room around a particle of the fluid' told || { cat told; return 1; }; }
 check "a spacing that is too short for an average" full
+
+# A plane that a fluid goes through bounds no scalar: the flux is that of two walls 16 apart, 1
+cat >sieve.yaml <<'YAML'
+units: none
+box: {lower: [0, 0, 0], upper: [16, 16, 0], dimension: 2, periodic: [true, false, false]}
+walls:
+  - {name: floor, shape: plane, point: [0, 0, 0], normal: [0, 1, 0]}
+  - {name: lid, shape: plane, point: [0, 16, 0], normal: [0, -1, 0]}
+  - {name: sieve, shape: plane, point: [0, 7.3, 0], normal: [0, 1, 0], permeable: true}
+fluid: {spacing: 1, density: 1, viscosity: 1, scalars: [{diffusivity: 1, given: [{wall: floor, value: 1}, {wall: lid, value: 0}]}]}
+step: {dt: 200, count: 12, force: true}
+observables: {every: 12, list: [{name: scalar_1_flux, components: y}]}
+output: {checkpoint: {at_end: false}}
+YAML
+sieve() { run_scene 1 sieve.yaml sieve --overwrite --set threads=1 && within "$(last_of sieve scalar_1_flux_y)" 1 1e-6; }
+check "a scalar diffuses through a permeable wall" sieve
+
+# In two dimensions a grain is a sphere in a unit of depth: one as heavy as the fluid goes with it, 0.01 x 0.4
+cat >two.yaml <<'YAML'
+units: none
+box: {lower: [0, 0, 0], upper: [1, 1, 0], dimension: 2, periodic: true}
+contact: {law: hooke}
+materials: [{name: a, density: 1}]
+material_pairs: [{k_n: 1, restitution: 0.9, friction: 0.3}]
+particles: {from: single, position: [0.43, 0.51, 0], radius: 0.002}
+fluid: {spacing: 0.1, density: 1, viscosity: 1e-9, equations: stokes, grains: {unresolved: 0.01}, drive: {body_force: [0.01, 0, 0]}}
+drag: {law: stokes}
+step: {count: 40, dt: 1e-2, force: true}
+observables: {every: 40, list: [{name: velocity, id: 1, components: x}]}
+output: {checkpoint: {at_end: false}}
+YAML
+disc() { run_scene 1 two.yaml two --overwrite --set threads=1 "$@" && within "$(last_of two particle1_vx)" 0.004 1e-6; }
+check "a grain as heavy as the fluid goes with it, in two dimensions" disc
+check "and a disc by area" disc --set box.density=area
 finish

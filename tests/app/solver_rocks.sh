@@ -234,7 +234,7 @@ together() { # RANKS NAME...
     rm -rf meets && run_scene "$1" crowd.yaml meets --set threads=1 "${flags[@]}" && sound meets
 }
 ranks=0
-for names in hertz hooke stiff poisson projection rolls belt 'belt rolls hertz' 'comes stages' lists; do
+for names in hertz hooke stiff poisson projection rolls belt 'belt rolls hertz' 'comes stages' lists box; do
     ranks=$((ranks % 3 + 1))
     # shellcheck disable=SC2086 # words
     check "$names, ranks: $ranks" together $ranks $names

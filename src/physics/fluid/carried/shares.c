@@ -64,9 +64,9 @@ static void walls_add(const struct build *build, size_t i, struct near *near) {
     int walls = grains_walls(context) != NULL ? walls_count(grains_walls(context)) : 0;
     for (int wall = 0; wall < walls; wall++) {
         struct weights_foot foot = {0};
-        if (build->fluid->rigid != NULL && build->fluid->rigid->walls.wall[wall].body)
-            continue;
-        if (boundary_values_number(build->surface, build->surfaces, body_of_wall(wall), -1) >= 0)
+        bool through = build->fluid->rigid != NULL && build->fluid->rigid->walls.wall[wall].body;
+        if (through || context->scene->wall[wall].permeable ||
+            boundary_values_number(build->surface, build->surfaces, body_of_wall(wall), -1) >= 0)
             continue;
         surface_feet_on(&feet, body_of_wall(wall), context->particles->state[i].x, &foot);
         near_add(build, near, &foot);

@@ -123,7 +123,7 @@ static void at_wall(void *self, const struct wall_place *place) {
     const double radius = p->state[place->particle].radius;
     struct lubrication_pair pair = {.lever = {radius + 0.5 * place->gap, INFINITY}};
     double force[6], against[3];
-    if (kinds_of(p)[place->particle] != KIND_GRAIN)
+    if (kinds_of(p)[place->particle] != KIND_GRAIN || context->scene->wall[place->wall].permeable)
         return;
     memcpy(pair.normal, place->normal, sizeof pair.normal);
     memcpy(pair.velocity[1], place->velocity, sizeof pair.velocity[1]);

@@ -106,11 +106,10 @@ void unresolved_flow(const struct particles *particles, size_t i, double flow[3]
         flow[d] = particles->state[i].v[d] - (solid != NULL ? solid[i][d] : 0);
 }
 
-/* The volume of a grain, in two dimensions an area. */
+/* The volume of a grain: in two dimensions of a sphere in a unit of depth, or the area of a disc where densities are by area. */
 static double room_of(const struct physics_context *context, size_t i) {
-    double radius = context->particles->state[i].radius;
-    return context->box->dimension == 2 ? M_PI * radius * radius
-                                        : 4.0 / 3.0 * M_PI * radius * radius * radius;
+    double radius = context->particles->state[i].radius, disc = M_PI * radius * radius;
+    return context->box->density == BOX_DENSITY_AREA ? disc : 4.0 / 3.0 * radius * disc;
 }
 
 /* The velocity of a grain at the moment of its place; that of the state is half a step older. */
