@@ -58,6 +58,10 @@ ranks() { again 3 ranks --set index.name=brute && rows ranks 1 | cmp - first && 
 check 'on 3 ranks, to the bit' ranks
 boxed() { again 1 boxed --set 'box={periodic: [true, true, false]}' && rows boxed 2 | cmp - last; }
 check 'with the box of the file' boxed
+keyed() { # spheres of the file stay spheres, though an entry chooses grains of their radius
+    again 1 keyed --set bodies.clumps[0].radius_above=0.2 --set step.count=0 && rows keyed 1 >keyed.rows && near keyed.rows middle 1e-13
+}
+check 'beside an entry that chooses by radius' keyed
 
 # Without clumps the balls of rocks tell all: dumps have no other orientations
 rocks_alone="particles.sources=[{from: random, shape: cube, count: 8, sizes: 0.5, velocity_sigma: 3, density: 3}, {from: random, shape: ballast, count: 8, sizes: 0.4, velocity_sigma: 3}, {from: random, count: 7, sizes: 0.3}]"

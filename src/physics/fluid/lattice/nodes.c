@@ -323,7 +323,8 @@ bool nodes_make(struct nodes *nodes, const struct physics_context *context, stru
     for (size_t k = 0; k < nodes->grains && !fluid_rigid(options); k++)
         grain_mark(nodes, (int32_t)k);
     for (int w = 0; w < context->scene->walls; w++)
-        if (!wall_shape_meshed(context->scene->wall[w].shape) && rigid_walls_bounds(context, &context->scene->wall[w]))
+        if (!wall_shape_meshed(context->scene->wall[w].shape) &&
+            rigid_walls_bounds(context, &context->scene->wall[w]))
             wall_mark(nodes, grains_walls(context), w);
     return true;
 }

@@ -77,7 +77,8 @@ static void side_mark(struct nodes *nodes, int side) {
 void surface_marks_make(struct nodes *nodes, const struct physics_context *context) {
     const struct fluid_options *options = context->options;
     for (int w = 0; w < context->scene->walls; w++)
-        if (wall_shape_meshed(context->scene->wall[w].shape) && rigid_walls_bounds(context, &context->scene->wall[w]))
+        if (wall_shape_meshed(context->scene->wall[w].shape) &&
+            rigid_walls_bounds(context, &context->scene->wall[w]))
             mesh_mark(nodes, grains_walls(context), w);
     for (int k = 0; k < options->opens; k++)
         side_mark(nodes, options->open[k].side);
