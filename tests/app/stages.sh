@@ -130,6 +130,7 @@ sed 's/"walls\[gate\]": ~/"walls[gat]": ~/' silo.yaml >typo.yaml
 check 'with its line' scene_refused "typo.yaml:16: walls[gat]: nothing in this list is called 'gat'; known: gate, ground (in stage 'open', stages[1].set)" typo.yaml
 check 'a value out of range' refused "gravity|three numbers|in stage 'push'" 'stages[2].set={gravity: 3}'
 check 'a material of another name' refused "stage 'open' adds, drops or renames a material" 'stages[1].set={"materials[0].name": steel}'
+check 'a wall that becomes permeable' refused "stage 'push' changes \`permeable\` of a wall" 'stages[2].set={"walls[ground].permeable": true}'
 check 'a stage without an end' refused "stages[1]|stage 'open' has no end; give duration, or until" 'stages[1]={name: open}'
 check 'a condition without a bound' refused "stages[0].until[0]|give at_least or at_most" 'stages[0].until=[{name: particles}]'
 check 'a condition on a vector' refused "the vector 'momentum'; give component" 'stages[0].until=[{name: momentum, at_most: 1}]'

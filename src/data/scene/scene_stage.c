@@ -249,6 +249,12 @@ static bool check_names(const struct scene *before, const struct scene *scene, i
     if (then->shears != now->shears || then->flow != now->flow || then->gradient != now->gradient)
         return fail(scene, error, number, "set",
                     "changes the plane of the shear; only its rate, or the target of its stress, may change");
+    for (int w = 0; w < scene->walls; w++) {
+        int earlier = scene_wall(before, scene->wall[w].name);
+        if (earlier >= 0 && before->wall[earlier].permeable != scene->wall[w].permeable)
+            return fail(scene, error, number, "set",
+                        "changes `permeable` of a wall; a fluid is filled once, so it stays as at the start");
+    }
     return before->insertions <= scene->insertions ||
            fail(scene, error, number, "set",
                 "takes an insertion out; set its `stop` to an earlier time instead");
