@@ -70,9 +70,10 @@ static double section_of(const struct fluid_cloud *c, const struct weights *weig
 
 /* shares: between walls at z = 0.3 and 0.8 a section counts as its 500 cells, of which the entries that drop out had taken a part. */
 static void shares_bring_the_section_back(void **state) {
-    const struct wall_options planes[2] = {hand_plane(0, 0, 0.3, 0, 0, 1), hand_plane(0, 0, 0.8, 0, 0, -1)};
+    struct wall_options planes[2] = {hand_plane(0, 0, 0.3, 0, 0, 1), hand_plane(0, 0, 0.8, 0, 0, -1)};
     struct fluid_cloud c;
     struct world world;
+    struct scene scene = {.walls = 2, .wall = planes};
     struct grains grains = {0};
     struct physics_set set = {.count = 1};
     struct fluid_options options = {.spacing = 0.1};
@@ -99,8 +100,12 @@ static void shares_bring_the_section_back(void **state) {
     fluid.flow = (struct flow){.weights = &fluid.weights,
                                .predicted = memory_allocate_zero(n, 3 * sizeof(double), "test"),
                                .increment = memory_allocate_zero(n, sizeof(double), "test")};
-    const struct physics_context context = {
-        .self = &fluid, .options = &options, .set = &set, .box = &world.box, .particles = c.particles};
+    const struct physics_context context = {.self = &fluid,
+                                            .options = &options,
+                                            .set = &set,
+                                            .box = &world.box,
+                                            .scene = &scene,
+                                            .particles = c.particles};
     double *share = shares_make(&context, NULL, 0, NULL);
     assert_int_equal(fluid.weights.rows, 500);
     assert_true(section_of(&c, &fluid.weights, NULL) < 470);
