@@ -79,7 +79,8 @@ static void pair_choose(struct hard_point *point, size_t points) {
 }
 
 void hard_thin(struct hard_point *point, size_t points) {
-    qsort(point, points, sizeof *point, by_bodies);
+    if (points > 1)
+        qsort(point, points, sizeof *point, by_bodies);
     for (size_t first = 0, end; first < points; first = end) {
         for (end = first + 1; end < points && point[end].bodies == point[first].bodies;)
             end++;
