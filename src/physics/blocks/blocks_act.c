@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* The forces between blocks, and their stiffness. Read blocks.h first. */
 #include "physics/blocks/blocks_state.h"
-#include "base/rotor.h"
 #include "base/vector.h"
 #include "physics/grains/grains.h"
 #include "physics/grains/laws/law_kernel.h"
@@ -59,42 +58,9 @@ static void meeting_make(const struct blocks *blocks, const struct physics_conte
     memcpy(meeting->place[1], b->kind == BLOCK_PLANE ? a->place : b->place, sizeof b->place);
 }
 
-/* Gives a point the memory of the same point: by its features, else by its place. `taken`: memories that have found their point. */
-static void point_recall(const struct blocks_pair *pair, double reach, bool by_key,
-                         bool taken[TOUCH_POINTS_MAX], struct blocks_memory *now, bool *found) {
-    double least = reach * reach;
-    int best = -1;
-    for (int m = 0; m < (int)pair->points && !*found; m++) {
-        double off[3], square;
-        vector_minus(pair->point[m].place, now->place, off);
-        square = by_key ? -1 : vector_dot(off, off);
-        if (taken[m] || (by_key && pair->point[m].key != now->key) || !(square < least))
-            continue;
-        least = square;
-        best = m;
-    }
-    if (best < 0)
-        return;
-    *found = taken[best] = true;
-    memcpy(now->spring, pair->point[best].spring, sizeof now->spring);
-    memcpy(now->roll, pair->point[best].roll, sizeof now->roll);
-}
-
-static void points_recall(const struct blocks_pair *pair, const struct meeting *meeting,
-                          const struct touch *touch, struct blocks_memory now[TOUCH_POINTS_MAX]) {
-    bool taken[TOUCH_POINTS_MAX] = {false}, found[TOUCH_POINTS_MAX] = {false};
-    for (int k = 0; k < touch->points; k++) {
-        now[k] = (struct blocks_memory){.key = touch->point[k].key};
-        rotor_turn_back(meeting->turn, touch->point[k].at, now[k].place);
-        point_recall(pair, meeting->merge, true, taken, &now[k], &found[k]);
-    }
-    for (int k = 0; k < touch->points; k++)
-        point_recall(pair, meeting->merge, false, taken, &now[k], &found[k]);
-}
-
 /* The input of the law at a point, whose places on both walls are `at`. */
 static struct law_contact contact_of(const struct meeting *meeting, const struct touch *touch,
-                                     const struct touch_point *point, const struct blocks_memory *memory,
+                                     const struct touch_point *point, const struct touch_memory *memory,
                                      double at[2][3]) {
     double velocity[2][3], spin[2][3], inverse = 0;
     for (int side = 0; side < 2; side++) {
@@ -134,7 +100,7 @@ static void force_give(const struct meeting *meeting, const double at[2][3], con
 
 /* Friction and dampers at a point: its share of all but the elastic force. */
 static void point_act(struct blocks_pair *pair, const struct meeting *meeting, const struct touch *touch,
-                      int k, struct law_springs springs, struct blocks_memory *memory) {
+                      int k, struct law_springs springs, struct touch_memory *memory) {
     const struct touch_point *point = &touch->point[k];
     double at[2][3], force[3], torque[2][3];
     struct law_contact in = contact_of(meeting, touch, point, memory, at);
@@ -153,9 +119,9 @@ static void point_act(struct blocks_pair *pair, const struct meeting *meeting, c
 static void touch_act(struct blocks_pair *pair, const struct meeting *meeting, const struct touch *touch) {
     struct law_springs springs = law_springs_of(&meeting->law->options, meeting->coefficients, meeting->extra,
                                                 meeting->radius, touch->overlap);
-    struct blocks_memory now[TOUCH_POINTS_MAX];
+    struct touch_memory now[TOUCH_POINTS_MAX];
     double force[3], torque[2][3], at[2][3];
-    points_recall(pair, meeting, touch, now);
+    recall_points(pair->point, (int)pair->points, meeting->turn, touch, meeting->merge, now);
     const double mass = contact_of(meeting, touch, &touch->point[0], &now[0], at).mass;
     for (int k = 0; k < touch->points; k++)
         point_act(pair, meeting, touch, k, springs, &now[k]);

@@ -125,7 +125,7 @@ static void restart(const struct physics_context *context, struct restart *list)
         struct blocks_pair *pair = &blocks->pair[p];
         const uint64_t key = key_of(context->scene, pair);
         restart_add(list, RESTART_REAL, true, &pair->points, "walls %016" PRIx64, key);
-        for (int k = 0; k < TOUCH_POINTS_MAX * BLOCKS_NUMBERS; k++)
+        for (int k = 0; k < TOUCH_POINTS_MAX * TOUCH_NUMBERS; k++)
             restart_add(list, RESTART_REAL, true, &pair->point[0].key + k, "walls %016" PRIx64 " %d", key, k);
     }
 }

@@ -5,6 +5,7 @@
 
 #include "engine/physics.h"
 #include "physics/blocks/blocks.h"
+#include "physics/bodies/shapes/recall.h"
 #include "physics/bodies/shapes/touch.h"
 #include "physics/grains/walls/wall.h"
 
@@ -24,19 +25,11 @@ struct block {
     double (*corner)[3]; /* now, about the centre */
 };
 
-/* What a point remembers: numbers of a restart, doubles alone. */
-struct blocks_memory {
-    double key;                /* touch_key */
-    double place[3];           /* in the frame of the first wall */
-    double spring[3], roll[3]; /* of the second wall */
-};
-enum { BLOCKS_NUMBERS = sizeof(struct blocks_memory) / sizeof(double) };
-
 /* A pair of walls; a plane is the second one. */
 struct blocks_pair {
     int wall[2];
     double points;
-    struct blocks_memory point[TOUCH_POINTS_MAX];
+    struct touch_memory point[TOUCH_POINTS_MAX];
     /* Of the last evaluation: the overlap, the energies stored, and the work taken. */
     double overlap, normal, tangential, taken;
 };

@@ -2,7 +2,6 @@
 /* The contacts of rocks in a step: points, the law at each point, forces and torques. Read rocks.h first. */
 #include "physics/bodies/rocks_ends.h"
 #include "base/vector.h"
-#include "base/rotor.h"
 #include "physics/grains/walls/walls_free.h"
 #include "physics/grains/grains.h"
 #include <math.h>
@@ -23,42 +22,6 @@ static void store(struct law_vector from, double to[3]) {
     to[0] = from.x;
     to[1] = from.y;
     to[2] = from.z;
-}
-
-/* Gives each point of a contact what the same point remembers: by its features, else by the nearest place of one
- * that nobody has taken, if it is nearer than `reach`. */
-static void points_match(const struct rocks_pair *pair, const struct rocks_ends *ends,
-                         const struct touch *touch, double reach, struct rocks_memory *now) {
-    bool taken[TOUCH_POINTS_MAX] = {false}, found[TOUCH_POINTS_MAX] = {false};
-    for (int k = 0; k < touch->points; k++) {
-        now[k] = (struct rocks_memory){.key = touch->point[k].key};
-        rotor_turn_back(ends->turn, touch->point[k].at, now[k].place);
-        for (int m = 0; m < pair->points && !found[k]; m++) {
-            if (taken[m] || pair->point[m].key != now[k].key)
-                continue;
-            memcpy(now[k].spring, pair->point[m].spring, sizeof now[k].spring);
-            memcpy(now[k].roll, pair->point[m].roll, sizeof now[k].roll);
-            found[k] = taken[m] = true;
-        }
-    }
-    for (int k = 0; k < touch->points; k++) {
-        int best = -1;
-        double least = reach * reach;
-        for (int m = 0; m < pair->points && !found[k]; m++) {
-            double off[3];
-            for (int d = 0; d < 3; d++)
-                off[d] = pair->point[m].place[d] - now[k].place[d];
-            if (!taken[m] && vector_dot(off, off) < least) {
-                least = vector_dot(off, off);
-                best = m;
-            }
-        }
-        if (best < 0)
-            continue;
-        taken[best] = true;
-        memcpy(now[k].spring, pair->point[best].spring, sizeof now[k].spring);
-        memcpy(now[k].roll, pair->point[best].roll, sizeof now[k].roll);
-    }
 }
 
 /* Velocity of the surface of a particle at an arm from its centre. */
@@ -204,7 +167,7 @@ static void points_list(const struct contacts *contacts, struct touch *list) {
 
 /* The forces of all contacts of a pair. */
 static void contacts_act(const struct rocks_scene *scene, struct rocks_pair *pair,
-                         const struct rocks_ends *ends, struct contacts *contacts, struct rocks_memory *now) {
+                         const struct rocks_ends *ends, struct contacts *contacts, struct touch_memory *now) {
     for (int p = 0; p < contacts->points; p++) {
         const int c = contacts->point[p].contact, k = contacts->point[p].point;
         const struct touch *touch = &contacts->touch[c];
@@ -232,7 +195,7 @@ static void contacts_act(const struct rocks_scene *scene, struct rocks_pair *pai
 
 /* The contacts of a pair in this evaluation. */
 static void pair_act(const struct rocks_scene *scene, struct rocks_pair *pair, struct walls_probe *probe) {
-    struct rocks_memory now[TOUCH_POINTS_MAX];
+    struct touch_memory now[TOUCH_POINTS_MAX];
     struct rocks_ends ends = {0};
     struct touch points = {0};
     struct features features;
@@ -250,7 +213,7 @@ static void pair_act(const struct rocks_scene *scene, struct rocks_pair *pair, s
         pair->wall >= 0 ? ends.posed[0].rounding : fmin(ends.posed[0].rounding, ends.posed[1].rounding);
     contacts_make(scene, &ends, &features, TOUCH_MERGE * smaller, &contacts);
     points_list(&contacts, &points);
-    points_match(pair, &ends, &points, smaller, now);
+    recall_points(pair->point, pair->points, ends.turn, &points, smaller, now);
     contacts_act(scene, pair, &ends, &contacts, now);
     pair->points = points.points;
     memcpy(pair->point, now, (size_t)points.points * sizeof *now);

@@ -211,8 +211,8 @@ void rocks_apart(const struct rocks_pair *pair, const struct particles *p, const
 }
 
 /* The point that a row remembers. */
-static struct rocks_memory memory_of(const struct history_row *row) {
-    struct rocks_memory memory = {.key = (uint32_t)row->value[9]};
+static struct touch_memory memory_of(const struct history_row *row) {
+    struct touch_memory memory = {.key = row->value[9]};
     memcpy(memory.spring, row->value, sizeof memory.spring);
     memcpy(memory.roll, row->value + 3, sizeof memory.roll);
     memcpy(memory.place, row->value + 6, sizeof memory.place);
@@ -268,7 +268,7 @@ static size_t rows_of(const struct rocks *rocks, const struct physics_context *c
         const struct rocks_end *end = &rocks->end[e];
         const struct rocks_pair *pair = &rocks->pair[end->pair];
         for (int k = 0; k < pair->points; k++, count++) {
-            const struct rocks_memory *memory = &pair->point[k];
+            const struct touch_memory *memory = &pair->point[k];
             if (row == NULL)
                 continue;
             struct history_row *to = &row[count];

@@ -4,15 +4,9 @@
 #define SCREE_BODIES_ROCKS_STATE_H
 
 #include "physics/bodies/rocks.h"
+#include "physics/bodies/shapes/recall.h"
 #include "physics/bodies/shapes/touch.h"
 #include "physics/grains/walls/wall_solid.h"
-
-/* What a point remembers; the springs are those of the end with the higher id, or of the wall. */
-struct rocks_memory {
-    uint32_t key;
-    double place[3]; /* in the frame of the first end */
-    double spring[3], roll[3];
-};
 
 /* Sums over the points of a contact in the last evaluation. */
 struct rocks_sums {
@@ -33,7 +27,7 @@ struct rocks_pair {
     bool turned;             /* ... which is the first end */
     bool gives[2];           /* which ends get the force here */
     int points;
-    struct rocks_memory point[TOUCH_POINTS_MAX];
+    struct touch_memory point[TOUCH_POINTS_MAX];
     struct gjk_simplex simplex;
     double force[3], torque[2][3]; /* on the second end, about the centres of both */
     struct rocks_sums sums;
