@@ -362,7 +362,8 @@ void hard_contacts_find(struct hard_contacts *contacts, struct hard_problem *pro
     walls_recall(contacts);
     if (scene->clumps->links) {
         hard_contacts_thin(contacts, pairs, scene, pace);
-        qsort(contacts->wall, contacts->walls, sizeof *contacts->wall, by_body);
+        if (contacts->walls > 1)
+            qsort(contacts->wall, contacts->walls, sizeof *contacts->wall, by_body);
     }
     pairs_find(contacts, problem, pairs, scene, terms, pace);
     hard_problem_reserve(problem, problem->bodies + contacts->walls, problem->rows + contacts->walls,
