@@ -173,8 +173,8 @@ static void variants_find_the_same(void **state) {
     struct index_params params = {0};
     index_cloud_make(&cloud, &(struct cloud_spec){.count = 2000,
                                                   .sizes = CLOUD_POWER,
-                                                  .ratio = 30,
-                                                  .fraction = 0.5,
+                                                  .ratio = 20,
+                                                  .fraction = 0.3,
                                                   .dimension = 3,
                                                   .periodic = {true, true, true}});
     struct index *index = cloud_index(&cloud, "auto", &params);
